@@ -1,0 +1,24 @@
+#pragma once
+// The scenes that come with the lab, built by code. One row each.
+#include <span>
+#include <string_view>
+
+#include "renderer/scene.h"
+
+namespace gbl {
+
+struct BuiltinScene {
+  const char* id;  // "terrain": builtin:terrain
+  const char* label;
+  const char* help;
+  Scene (*build)();
+};
+
+std::span<const BuiltinScene> builtin_scenes();
+
+// "builtin:terrain" -> the scene. An unknown name is an Error that lists the known ones.
+Scene load_scene(std::string_view name);
+
+Scene build_terrain();
+
+}  // namespace gbl

@@ -1,0 +1,30 @@
+#pragma once
+// What this GL context is and can do, asked once at start-up.
+#include <string>
+
+#include "renderer/features.h"
+
+namespace gbl::gl {
+
+enum class Rounding { to_nearest, toward_zero, other };
+const char* label(Rounding);
+
+struct Device {
+  std::string vendor, renderer, version, glsl;
+  FeatureSet features;       // present and not switched off
+  bool software = false;     // a CPU rasteriser: its times say nothing about a GPU
+  int max_size = 0;          // of a texture and viewport, pixels a side
+  int max_draw_buffers = 0;
+  int time_query_bits = 0;
+  Rounding half_store = Rounding::other;  // of a value stored to RGBA16F
+  Rounding half_blend = Rounding::other;  // of a sum blended into RGBA16F
+  Rounding r11_store = Rounding::other;   // of a value stored to R11G11B10F
+};
+
+// Needs a current context of GL 3.3 or later; throws Error(no_gl) otherwise. `without` is switched off.
+Device probe_device(FeatureSet without);
+
+// The current context's device, for code that only needs features (labels, timers). Set by probe_device.
+const Device& device();
+
+}  // namespace gbl::gl

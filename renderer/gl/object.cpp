@@ -1,0 +1,36 @@
+#include "renderer/gl/object.h"
+
+namespace gbl::gl {
+namespace {
+int g_live = 0;  // one GL thread
+}
+
+GLuint create_name(Kind kind) {
+  GLuint id = 0;
+  switch (kind) {
+    case Kind::texture: glGenTextures(1, &id); break;
+    case Kind::buffer: glGenBuffers(1, &id); break;
+    case Kind::vertex_array: glGenVertexArrays(1, &id); break;
+    case Kind::framebuffer: glGenFramebuffers(1, &id); break;
+    case Kind::program: id = glCreateProgram(); break;
+    case Kind::query: glGenQueries(1, &id); break;
+  }
+  ++g_live;
+  return id;
+}
+
+void delete_name(Kind kind, GLuint id) {
+  switch (kind) {
+    case Kind::texture: glDeleteTextures(1, &id); break;
+    case Kind::buffer: glDeleteBuffers(1, &id); break;
+    case Kind::vertex_array: glDeleteVertexArrays(1, &id); break;
+    case Kind::framebuffer: glDeleteFramebuffers(1, &id); break;
+    case Kind::program: glDeleteProgram(id); break;
+    case Kind::query: glDeleteQueries(1, &id); break;
+  }
+  --g_live;
+}
+
+int live_names() { return g_live; }
+
+}  // namespace gbl::gl

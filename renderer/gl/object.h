@@ -1,0 +1,36 @@
+#pragma once
+// GL objects: move-only, typed, counted; 0 is "none". What is alive is counted, so that a test can see a leak.
+#include <epoxy/gl.h>
+
+#include <utility>
+
+namespace gbl::gl {
+
+enum class Kind { texture, buffer, vertex_array, framebuffer, program, query };
+
+GLuint create_name(Kind);
+void delete_name(Kind, GLuint);
+int live_names();  // over all kinds
+
+template <Kind kKind>
+class Object {
+ public:
+  Object() = default;
+  explicit Object(GLuint id) : id_(id) {}
+  Object(Object&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  Object& operator=(Object&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~Object() {
+    if (id_) delete_name(kKind, id_);
+  }
+  static Object make() { return Object(create_name(kKind)); }
+  GLuint id() const { return id_; }
+  explicit operator bool() const { return id_ != 0; }
+
+ private:
+  GLuint id_ = 0;
+};
+
+}  // namespace gbl::gl

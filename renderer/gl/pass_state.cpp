@@ -1,0 +1,39 @@
+#include "renderer/gl/pass_state.h"
+
+#include <epoxy/gl.h>
+
+namespace gbl::gl {
+namespace {
+void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+}  // namespace
+
+void apply_cull(Cull cull) {
+  enable(GL_CULL_FACE, cull != Cull::off);
+  glCullFace(cull == Cull::front ? GL_FRONT : GL_BACK);
+}
+
+void apply(const PassState& s) {
+  // GL ignores depth writes while the test is off.
+  enable(GL_DEPTH_TEST, s.depth != DepthTest::off || s.depth_write);
+  glDepthFunc(s.depth == DepthTest::less ? GL_LESS : GL_ALWAYS);
+  glDepthMask(s.depth_write);
+  glFrontFace(GL_CCW);
+  apply_cull(s.cull);
+  enable(GL_BLEND, s.blend != Blend::off);
+  glBlendEquation(GL_FUNC_ADD);
+  if (s.blend == Blend::alpha) glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  else glBlendFunc(GL_ONE, GL_ONE);
+  glColorMask(true, true, true, true);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_DITHER);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glDisable(GL_RASTERIZER_DISCARD);
+  glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
+  glDisable(GL_PRIMITIVE_RESTART);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  for (unsigned unit = 0; unit < 12; ++unit) glBindSampler(unit, 0);
+}
+
+}  // namespace gbl::gl

@@ -1,0 +1,45 @@
+#pragma once
+// Programs from shader files with #include and compile-time variants; errors point into our files.
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/gl/object.h"
+
+namespace gbl::gl {
+
+struct Define {
+  std::string name;
+  int value;
+  auto operator<=>(const Define&) const = default;
+};
+using Defines = std::vector<Define>;
+
+struct ShaderText {
+  std::string name;  // for messages
+  std::string body;  // expanded GLSL without #version
+  std::vector<std::string> files = {};  // index = GLSL source-string number used in #line; empty: `name` alone
+};
+
+// Reads shaders/`name`, expands #include "x" once per file with #line markers, prepends the defines.
+ShaderText load_shader(std::string_view name, const Defines&);
+
+// "0:12(5): error: …" of Mesa or "0(12) : error …" of others -> "shaders/surface.glsl:12: error: …".
+std::string readable_log(std::string_view log, const ShaderText&);
+
+class Program {
+ public:
+  GLuint id() const { return name_.id(); }
+  GLint uniform(const char* name) const;  // -1 if the variant does not use it (GL then ignores the value)
+
+ private:
+  friend Program compile_program(const ShaderText&, const ShaderText&);
+  Object<Kind::program> name_;
+  mutable std::map<std::string, GLint, std::less<>> locations_;
+};
+
+Program compile_program(const ShaderText& vertex, const ShaderText& fragment);  // Error(bad_input) with file and line
+
+}  // namespace gbl::gl

@@ -1,0 +1,93 @@
+#include "renderer/gl/texture.h"
+
+#include <fmt/format.h>
+#include <string>
+
+#include "renderer/error.h"
+#include "renderer/gl/device.h"
+
+namespace gbl::gl {
+namespace {
+
+constexpr GlFormat kGlFormats[] = {
+    {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
+    {GL_RG8, GL_RG, GL_UNSIGNED_BYTE},
+    {GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT},
+    {GL_RG16F, GL_RG, GL_FLOAT},
+    {GL_RGBA16F, GL_RGBA, GL_FLOAT},
+    {GL_R11F_G11F_B10F, GL_RGB, GL_FLOAT},
+    {GL_RGBA32F, GL_RGBA, GL_FLOAT},
+    {GL_R32F, GL_RED, GL_FLOAT},
+    {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
+    {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
+    {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
+};
+static_assert(std::size(kGlFormats) == std::size(kFormats));
+
+void set_sampling(GLenum min, GLenum mag, GLenum wrap) {
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(min));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(mag));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap));
+}
+
+}  // namespace
+
+const GlFormat& gl_format(Format f) { return kGlFormats[static_cast<size_t>(f)]; }
+
+void set_label(GLenum kind, GLuint id, std::string_view label) {
+  if (!label.empty() && device().features.has(Feature::debug_labels))
+    glObjectLabel(kind, id, static_cast<GLsizei>(label.size()), label.data());
+}
+
+Texture make_texture(const TextureDesc& d) {
+  Texture t{Object<Kind::texture>::make(), d.size, d.format};
+  const GlFormat& f = gl_format(d.format);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, t.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), d.size.x, d.size.y, 0, f.format, f.type, nullptr);
+  const GLenum filter = d.linear_filter ? GL_LINEAR : GL_NEAREST;
+  set_sampling(filter, filter, GL_CLAMP_TO_EDGE);
+  set_label(GL_TEXTURE, t.id(), d.label);
+  return t;
+}
+
+Texture make_image(const ImageDesc& d) {
+  Texture t{Object<Kind::texture>::make(), d.size, Format::rgba8};
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, t.id());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA,
+               GL_UNSIGNED_BYTE, d.rgba);
+  set_sampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
+  glGenerateMipmap(GL_TEXTURE_2D);
+  set_label(GL_TEXTURE, t.id(), d.label);
+  return t;
+}
+
+Framebuffer make_framebuffer(const FramebufferDesc& d) {
+  Framebuffer fbo = Framebuffer::make();
+  glBindFramebuffer(GL_FRAMEBUFFER, fbo.id());
+  std::vector<GLenum> buffers;
+  for (const Texture* colour : d.colours) {
+    const GLenum slot = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, slot, GL_TEXTURE_2D, colour->id(), 0);
+    buffers.push_back(slot);
+  }
+  if (d.depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, d.depth->id(), 0);
+  glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  set_label(GL_FRAMEBUFFER, fbo.id(), d.label);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw Error(ExitCode::no_gl, d.label, fmt::format("the driver refuses these attachments together (0x{:x})", status),
+                "choose another layout or format");
+  return fbo;
+}
+
+void bind_texture(int unit, const Texture& t) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D, t.id());
+}
+
+}  // namespace gbl::gl

@@ -1,0 +1,53 @@
+#pragma once
+// Textures and framebuffers, made from descriptions. Formats are rows of renderer/format.h.
+#include <glm/glm.hpp>
+#include <string_view>
+#include <vector>
+
+#include "renderer/format.h"
+#include "renderer/gl/object.h"
+
+namespace gbl::gl {
+
+struct Texture {
+  Object<Kind::texture> name;
+  glm::ivec2 size{0};
+  Format format = Format::rgba8;
+  GLuint id() const { return name.id(); }
+};
+
+struct TextureDesc {
+  glm::ivec2 size{1, 1};
+  Format format = Format::rgba8;
+  bool linear_filter = false;  // else nearest: attachments are read by texel
+  std::string_view label;
+};
+Texture make_texture(const TextureDesc&);  // contents undefined
+
+struct ImageDesc {
+  glm::ivec2 size{1, 1};
+  const void* rgba = nullptr;  // 8 bits a channel, first row = texture row 0
+  bool srgb = false;           // decoded to linear when sampled
+  std::string_view label;
+};
+Texture make_image(const ImageDesc&);  // repeats, mipmapped
+
+using Framebuffer = Object<Kind::framebuffer>;
+struct FramebufferDesc {
+  std::vector<const Texture*> colours;  // in draw-buffer order
+  const Texture* depth = nullptr;
+  std::string_view label;
+};
+Framebuffer make_framebuffer(const FramebufferDesc&);  // Error if the driver refuses the combination
+
+void bind_texture(int unit, const Texture&);
+
+struct GlFormat {
+  GLenum internal, format, type;  // type: of client data that holds the texel without loss
+};
+const GlFormat& gl_format(Format);
+
+// A name for frame debuggers; nothing without Feature::debug_labels.
+void set_label(GLenum kind, GLuint id, std::string_view label);
+
+}  // namespace gbl::gl

@@ -1,0 +1,16 @@
+#pragma once
+// The lights of a frame, as a pure function of scene, count, seed and time.
+#include <vector>
+
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace gbl {
+
+// N lights on the scene's grid at time_s; range_scale applied; any N from 0 works (one light stands on the axis).
+std::vector<Light> generated_lights(const LightGrid&, int count, unsigned seed, double time_s);
+
+// What Settings ask for: source, count, seed, time, range scale, `only` and `first`.
+std::vector<Light> lights_of(const Settings&, const Scene&);
+
+}  // namespace gbl

@@ -1,0 +1,49 @@
+// Counting pairs and probing pixels: variants of their own, so that what is timed is not slowed.
+#include "renderer/passes/frame_block.h"
+#include "renderer/passes/lighting.h"
+
+namespace gbl {
+
+void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& targets, bool lit_too) {
+  const Frame frame = frame_of(s, scene, targets);
+  const gl::PassScope scope(targets.timers, "count");
+  draw_lighting(frame, LightOutput::count, targets.counts().framebuffer);
+  begin_drawing(targets.counts_lit().framebuffer, s.size, {});
+  if (lit_too) {
+    bind_gbuffer(frame);
+    bind_lights(frame);
+    glUseProgram(programs_.get("fullscreen.vert", "count_lit.frag", gbuffer_defines(s)).id());
+    shapes_.draw_fullscreen();
+  } else {
+    constexpr float kZero[4] = {};
+    glClearBufferfv(GL_COLOR, 0, kZero);
+  }
+  Canvas& sums = targets.count_sums();
+  begin_drawing(sums.framebuffer, sums.texture.size, {});
+  gl::bind_texture(kCountUnit, targets.counts().texture);
+  gl::bind_texture(kLitUnit, targets.counts_lit().texture);
+  glUseProgram(programs_.get("fullscreen.vert", "count_reduce.frag", {}).id());
+  shapes_.draw_fullscreen();
+  targets.count_read.start(sums.texture);
+  targets.counts_valid = true;
+  targets.counts_lit_valid = lit_too;
+}
+
+void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& targets, glm::ivec2 pixel) {
+  const Frame frame = frame_of(s, scene, targets);
+  gl::Defines defines = gbuffer_defines(s);
+  defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
+  const gl::Program& program = programs_.get("fullscreen.vert", "probe.frag", defines);
+  Canvas& canvas = targets.probe();
+  begin_drawing(canvas.framebuffer, canvas.texture.size, {});
+  bind_gbuffer(frame);
+  bind_light_sums(frame);
+  gl::bind_texture(kLitUnit, *targets.texture(Stores::lit));
+  gl::bind_texture(kCountUnit, targets.counts().texture);
+  glUseProgram(program.id());
+  glUniform2i(program.uniform("pixel"), pixel.x, s.size.y - 1 - pixel.y);
+  shapes_.draw_fullscreen();
+  targets.probe_read.start(canvas.texture);
+}
+
+}  // namespace gbl

@@ -1,0 +1,48 @@
+#include "renderer/passes/gpu_scene.h"
+
+namespace gbl {
+namespace {
+
+GpuScene::GpuMesh upload(const Mesh& mesh) {
+  GpuScene::GpuMesh m;
+  m.vertices = gl::make_buffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex), mesh.name);
+  m.indices = gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(), mesh.indices.size() * 4, mesh.name);
+  m.vertex_array = gl::make_vertex_array(m.vertices, sizeof(Vertex),
+                                         {{0, 3, offsetof(Vertex, position)},
+                                          {1, 3, offsetof(Vertex, normal)},
+                                          {2, 4, offsetof(Vertex, tangent)},
+                                          {3, 2, offsetof(Vertex, uv)}},
+                                         &m.indices);
+  m.index_count = static_cast<GLsizei>(mesh.indices.size());
+  return m;
+}
+
+}  // namespace
+
+GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+  for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m));
+  const uint8_t white[] = {255, 255, 255, 255}, flat[] = {128, 128, 255, 255};
+  white_ = gl::make_image({.rgba = white, .label = "white"});
+  flat_normal_ = gl::make_image({.rgba = flat, .label = "flat normal"});
+  srgb_.resize(scene_->textures.size());
+  linear_.resize(scene_->textures.size());
+}
+
+const gl::Texture& GpuScene::uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const {
+  const Texture& t = scene_->textures[i];
+  if (!set[i].name) set[i] = gl::make_image({.size = t.size, .rgba = t.rgba.data(), .srgb = srgb, .label = t.name});
+  return set[i];
+}
+
+const gl::Texture& GpuScene::colour_texture(int i, Colour colour) const {
+  if (i == kNoTexture) return white_;
+  return colour == Colour::srgb ? uploaded(srgb_, i, true) : uploaded(linear_, i, false);
+}
+
+const gl::Texture& GpuScene::data_texture(int i) const { return i == kNoTexture ? white_ : uploaded(linear_, i, false); }
+
+const gl::Texture& GpuScene::normal_texture(int i) const {
+  return i == kNoTexture ? flat_normal_ : uploaded(linear_, i, false);
+}
+
+}  // namespace gbl

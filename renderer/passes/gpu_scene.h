@@ -1,0 +1,39 @@
+#pragma once
+// A scene on the GPU: what does not change from frame to frame. Several frames of different settings may share it.
+#include <memory>
+#include <vector>
+
+#include "renderer/gl/buffer.h"
+#include "renderer/gl/texture.h"
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace gbl {
+
+class GpuScene {
+ public:
+  explicit GpuScene(std::shared_ptr<const Scene> scene);
+  const Scene& scene() const { return *scene_; }
+
+  struct GpuMesh {
+    gl::Buffer vertices, indices;
+    gl::VertexArray vertex_array;
+    GLsizei index_count = 0;
+  };
+  const GpuMesh& mesh(int i) const { return meshes_[i]; }
+
+  // kNoTexture gives a neutral texel. A colour texture is decoded from sRGB when sampled, except as-tutorial.
+  const gl::Texture& colour_texture(int i, Colour) const;
+  const gl::Texture& data_texture(int i) const;         // white if none
+  const gl::Texture& normal_texture(int i) const;       // flat if none
+
+ private:
+  const gl::Texture& uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const;
+
+  std::shared_ptr<const Scene> scene_;
+  std::vector<GpuMesh> meshes_;
+  gl::Texture white_, flat_normal_;
+  mutable std::vector<gl::Texture> srgb_, linear_;  // made at first use: a scene may need only one of the two
+};
+
+}  // namespace gbl

@@ -1,0 +1,98 @@
+#include "renderer/passes/passes.h"
+
+#include "renderer/gl/pass_state.h"
+#include "renderer/passes/frame_block.h"
+
+namespace gbl {
+namespace {
+
+glm::vec3 background_of(const Settings& s) {
+  switch (s.background.fill) {
+    case BackgroundFill::black: return glm::vec3(0);
+    case BackgroundFill::grey: return glm::vec3(0.2f);
+    case BackgroundFill::colour: return glm::vec3(s.background.colour);
+  }
+  return glm::vec3(0);
+}
+
+void bind_if_stored(const Frame& frame, Stores what, Unit unit) {
+  if (const gl::Texture* t = frame.targets.texture(what)) gl::bind_texture(unit, *t);
+}
+
+}  // namespace
+
+void begin_drawing(const gl::Framebuffer& framebuffer, glm::ivec2 size, const gl::PassState& state) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glViewport(0, 0, size.x, size.y);
+  gl::apply(state);
+}
+
+void bind_gbuffer(const Frame& frame) {
+  bind_if_stored(frame, Stores::material, kMaterialUnit);
+  bind_if_stored(frame, Stores::normal, kNormalUnit);
+  bind_if_stored(frame, Stores::depth, kDepthUnit);
+}
+
+void bind_lights(const Frame& frame) { gl::bind_texture(kLightUnit, frame.targets.light_data); }
+
+void bind_light_sums(const Frame& frame) {
+  bind_if_stored(frame, Stores::light, kDiffuseUnit);
+  bind_if_stored(frame, Stores::diffuse_light, kDiffuseUnit);
+  bind_if_stored(frame, Stores::specular_light, kSpecularUnit);
+}
+
+void upload_frame_block(const Frame& frame, glm::dvec2 depth_view_range) {
+  const Settings& s = frame.settings;
+  const Camera& c = s.camera;
+  const ViewRays rays = view_rays(c, frame.aspect);
+  shared::FrameBlock block{};
+  block.clip_from_relative = glm::mat4(frame.clip_from_relative);
+  // Float from here on, as the source's shader computes it: its noise is the pitfall.
+  const glm::mat4 view_from_world(glm::mat4_cast(glm::conjugate(c.orientation)) * glm::dmat4(1));
+  const glm::mat4 clip_from_world =
+      glm::mat4(clip_from_view(c, frame.aspect)) * view_from_world *
+      glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(-glm::vec3(c.position), 1));
+  block.world_from_clip = glm::inverse(clip_from_world);
+  block.ray_forward = glm::vec4(rays.forward, c.orthographic() ? 1 : 0);
+  block.ray_right = glm::vec4(rays.right, 0);
+  block.ray_up = glm::vec4(rays.up, 0);
+  block.camera_position = glm::vec4(c.position, 0);
+  block.planes = glm::vec4(c.near, c.far, c.near * c.far, c.far - c.near);
+  block.viewport = glm::vec4(s.size, 1.0 / s.size.x, 1.0 / s.size.y);
+  block.background = glm::vec4(background_of(s), 0);
+  block.shading = glm::vec4(s.shading.exponent, s.shading.specular, s.ambient, s.exposure);
+  block.view_range = glm::vec4(depth_view_range, 0, 0);
+  block.lights = glm::ivec4(static_cast<int>(frame.targets.lights.size()), 0, 0, 0);
+  if (!frame.targets.frame_block) frame.targets.frame_block = gl::Buffer::make();
+  gl::write_uniform_block(frame.targets.frame_block, 0, &block, sizeof block);
+}
+
+void upload_lights(const Frame& frame) {
+  Targets& t = frame.targets;
+  const int texels = std::max<int>(1, static_cast<int>(t.lights.size())) * LIGHT_TEXELS;
+  const glm::ivec2 size(LIGHT_TEXTURE_WIDTH, (texels + LIGHT_TEXTURE_WIDTH - 1) / LIGHT_TEXTURE_WIDTH);
+  t.light_texels.assign(static_cast<size_t>(size.x) * size.y, glm::vec4(0));
+  for (size_t i = 0; i < t.lights.size(); ++i) {
+    const Light& l = t.lights[i];
+    t.light_texels[i * LIGHT_TEXELS] = glm::vec4(l.position - frame.settings.camera.position, l.range);
+    t.light_texels[i * LIGHT_TEXELS + 1] = glm::vec4(l.colour, 0);
+  }
+  if (t.light_data.size != size || !t.light_data.name)
+    t.light_data = gl::make_texture({.size = size, .format = Format::rgba32f, .label = "lights"});
+  gl::bind_texture(kLightUnit, t.light_data);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, t.light_texels.data());
+}
+
+int draw_combine(const Frame& frame) {
+  gl::Defines defines = gbuffer_defines(frame.settings);
+  defines.push_back({"SPLIT", frame.settings.accumulation.targets == AccumulationTargets::split});
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "combine.frag", defines);
+  begin_drawing(frame.targets.framebuffer(Pass::combine), frame.settings.size, {});
+  bind_gbuffer(frame);
+  bind_light_sums(frame);
+  glUseProgram(program.id());
+  frame.shapes.draw_fullscreen();
+  return 1;
+}
+
+}  // namespace gbl

@@ -1,0 +1,24 @@
+#pragma once
+// The passes, each a function of the frame. A pass states all its state and binds all it reads.
+#include "renderer/gl/pass_state.h"
+#include "renderer/passes/frame.h"
+
+namespace gbl {
+
+// Bind where a pass draws, set the viewport, apply its state.
+void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&);
+
+// Textures of the G-buffer and the light records, at the units of programs.h.
+void bind_gbuffer(const Frame&);
+void bind_lights(const Frame&);
+void bind_light_sums(const Frame&);
+
+void upload_frame_block(const Frame&, glm::dvec2 depth_view_range);
+void upload_lights(const Frame&);
+
+int draw_geometry(const Frame&);                                          // -> draw calls
+int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);  // -> draw calls
+int draw_combine(const Frame&);
+void draw_volume_wires(const Frame&, Canvas& into);
+
+}  // namespace gbl

@@ -1,0 +1,42 @@
+#pragma once
+// Programs by variant, cached and shared by all frames. Reload is start-up run again: the last good program stays.
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "renderer/gl/program.h"
+#include "renderer/settings.h"
+#include "renderer/views.h"
+
+namespace gbl {
+
+// What a lighting pass writes; constants of shaders/light_output.glsl.
+enum class LightOutput { split, sum, count };
+
+// Texture units: sampler name -> unit, one table for all programs.
+enum Unit { kMaterialUnit, kNormalUnit, kDepthUnit, kLightUnit, kDiffuseUnit, kSpecularUnit, kLitUnit, kCountUnit,
+            kBaseColourUnit, kNormalMapUnit, kRoughnessUnit };
+
+// Defines that name the choices a shader depends on; each shader asks only for those it reads.
+gl::Defines gbuffer_defines(const Settings&);  // layout, normal, position, colour
+
+class ProgramCache {
+ public:
+  // The program of these files and defines; compiled at first use. Error with file and line if it does not compile.
+  const gl::Program& get(std::string_view vertex, std::string_view fragment, const gl::Defines&);
+
+  // Compile everything anew from the shader files. On an error all old programs stay and the Error is thrown.
+  void reload();
+  size_t size() const { return programs_.size(); }
+
+ private:
+  struct Variant {
+    std::string vertex, fragment;
+    gl::Defines defines;
+    auto operator<=>(const Variant&) const = default;
+  };
+  static gl::Program compile(const Variant&);
+  std::map<Variant, gl::Program> programs_;
+};
+
+}  // namespace gbl

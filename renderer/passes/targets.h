@@ -1,0 +1,62 @@
+#pragma once
+// The textures of one frame: made from attachments(settings), remade only when a format or the size changes.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/gbuffer_layout.h"
+#include "renderer/gl/buffer.h"
+#include "renderer/gl/readback.h"
+#include "renderer/gl/texture.h"
+#include "renderer/gl/timer.h"
+#include "renderer/lights.h"
+#include "renderer/views.h"
+
+namespace gbl {
+
+// A texture with the framebuffer that draws into it alone.
+struct Canvas {
+  gl::Texture texture;
+  gl::Framebuffer framebuffer;
+};
+Canvas make_canvas(const gl::TextureDesc&);
+
+class Targets {
+ public:
+  // Make what these settings need; keeps what already fits. Error if the device refuses.
+  void prepare(const Settings&);
+
+  glm::ivec2 size() const { return size_; }
+  const gl::Texture* texture(Stores) const;  // null if not stored
+  const gl::Framebuffer& framebuffer(Pass) const;
+  const std::vector<Attachment>& attachments() const { return attachments_; }
+  double mib() const;  // of all textures held
+
+  Canvas& view(View);                     // RGBA8, made at first use
+  const Canvas* drawn_view(View) const;   // null if never drawn at this size
+  Canvas& counts();                       // RGBA32F: pairs tested, shaded, in range
+  Canvas& counts_lit();
+  Canvas& count_sums();                   // the reduction
+  Canvas& probe();
+
+  // Frame-to-frame state that is not a picture.
+  gl::PassTimers timers;
+  gl::AsyncRead count_read, probe_read;
+  gl::Texture light_data;
+  std::vector<glm::vec4> light_texels;    // scratch, kept so that a steady frame allocates nothing
+  std::vector<Light> lights;              // of the frame drawn last
+  gl::Buffer frame_block;
+  bool counts_valid = false;              // of the frame drawn last
+  bool counts_lit_valid = false;
+
+ private:
+  glm::ivec2 size_{0};
+  std::vector<Attachment> attachments_;
+  std::vector<gl::Texture> textures_;     // beside attachments_
+  std::array<gl::Framebuffer, 3> framebuffers_;  // geometry, lighting, combine
+  std::array<std::optional<Canvas>, kViewCount> views_;
+  std::optional<Canvas> counts_, counts_lit_, count_sums_, probe_;
+};
+
+}  // namespace gbl

@@ -1,0 +1,31 @@
+#include "renderer/settings.h"
+
+#include "renderer/options.h"
+
+namespace gbl {
+
+bool same_truth(const Settings& a, const Settings& b) {
+  for (const Option& o : options())
+    if (o.group == Group::truth && o.get(a) != o.get(b)) return false;
+  return true;
+}
+
+// Cull, level, fit, clip and depth of a volume mean nothing to a method that draws none.
+bool in_use(const Option& o, const Settings& s) {
+  const std::string_view path = o.path;
+  const bool of_volumes = path == "lights.cull" || path.starts_with("lights.volume.");
+  return !of_volumes || s.lights.method == LightMethod::volumes;
+}
+
+std::vector<Unsound> unsound_choices(const Settings& s) {
+  std::vector<Unsound> found;
+  for (const Option& o : options()) {
+    if (o.group != Group::method || o.kind != Kind::choice || !in_use(o, s)) continue;
+    const ValueRow& r = o.values[chosen(o, s)];
+    if (!r.sound()) found.push_back({o.path, r.id, r.pitfall});
+  }
+  for (const std::string& m : s.mistakes) found.push_back({"mistakes", m, m});
+  return found;
+}
+
+}  // namespace gbl

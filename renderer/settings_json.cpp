@@ -1,0 +1,108 @@
+#include "renderer/settings_json.h"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+
+#include "renderer/error.h"
+
+namespace gbl {
+namespace {
+
+// {"lights": {"count": 3}} -> the member at "lights.count", made on the way if need be.
+Json& at_path(Json& root, std::string_view path) {
+  Json* node = &root;
+  while (true) {
+    const size_t dot = path.find('.');
+    node = &(*node)[std::string(path.substr(0, dot))];
+    if (dot == std::string_view::npos) return *node;
+    path.remove_prefix(dot + 1);
+  }
+}
+
+bool is_path(const std::string& path) {
+  for (const Option& o : options())
+    if (path == o.path) return true;
+  return false;
+}
+
+void apply_tree(Settings& s, const Json& node, const std::string& path, std::string_view where) {
+  if (node.is_object() && !is_path(path)) {
+    for (const auto& [key, child] : node.items())
+      apply_tree(s, child, path.empty() ? key : path + "." + key, where);
+    return;
+  }
+  try {
+    const Option& o = option(path);
+    o.set(s, node, o);
+  } catch (const Error& e) {
+    throw Error(e.code(), where, e.what());
+  }
+}
+
+Json migrated(Json json, std::string_view where) {
+  if (!json.is_object()) throw Error(ExitCode::bad_input, where, "settings must be a JSON object");
+  if (!json.contains("version")) throw Error(ExitCode::bad_input, where, "no \"version\": not a settings file");
+  const Json& version = json["version"];
+  if (!version.is_number_integer() || version.get<long>() < 1)
+    throw Error(ExitCode::bad_input, where, fmt::format("version {} is not a whole number from 1", version.dump()));
+  if (version.get<long>() > kSettingsVersion)
+    throw Error(ExitCode::bad_input, where,
+                fmt::format("written by a newer program: version {}, this one reads up to {}", version.dump(),
+                            kSettingsVersion),
+                "update the program");
+  json.erase("version");
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Settings& s) {
+  Json json;
+  json["version"] = kSettingsVersion;
+  for (const Option& o : options()) at_path(json, o.path) = o.get(s);
+  return json;
+}
+
+Settings from_json(const Json& json, std::string_view where, Settings base) {
+  apply_tree(base, migrated(json, where), "", where);
+  return base;
+}
+
+void apply_patch(Settings& s, const Json& patch, std::string_view where) {
+  if (!patch.is_object()) throw Error(ExitCode::bad_input, where, "a patch must be a JSON object");
+  Settings changed = s;  // all or nothing
+  apply_tree(changed, patch, "", where);
+  s = changed;
+}
+
+void apply_assignment(Settings& s, std::string_view assignment) {
+  const size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    throw Error(ExitCode::bad_input, "--set", fmt::format("'{}' has no '='", assignment), "write path=value");
+  const std::string text(assignment.substr(equals + 1));
+  Json value = Json::parse(text, nullptr, false);
+  if (value.is_discarded()) value = text;
+  const Option& o = option(assignment.substr(0, equals));
+  o.set(s, value, o);
+}
+
+Json parse_json(std::string_view text, std::string_view where) {
+  try {
+    return Json::parse(text);
+  } catch (const nlohmann::json::parse_error& e) {
+    const size_t end = std::min(e.byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + end, '\n');
+    throw Error(ExitCode::bad_input, fmt::format("{}:{}", where, line), "not valid JSON", "mend the file near this line");
+  }
+}
+
+Json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  if (!file || !(text << file.rdbuf()) )
+    throw Error(ExitCode::bad_input, path.string(), "cannot be read", "check the path and its permissions");
+  return parse_json(text.str(), path.string());
+}
+
+}  // namespace gbl

@@ -1,0 +1,67 @@
+#pragma once
+// The views: every picture that can be looked at, one row each. Panels, number keys, files and `H` cards follow.
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "renderer/gbuffer_layout.h"
+#include "renderer/scene.h"
+#include "renderer/settings.h"
+
+namespace gbl {
+
+enum class View { final, albedo, normal, depth, material, diffuse_light, specular_light, lights_per_pixel, position, lit };
+inline constexpr int kViewCount = 10;
+
+struct ViewRow {
+  View view;
+  const char* id;    // singular; also the file's name
+  const char* key;   // number key, "" = none
+  const char* label;
+  const char* sentence;  // one line for the strip below the panels
+  Pass written_by;       // colours the frame
+  // The `H` card:
+  const char* space;     // axes or colour space
+  const char* unit;
+  const char* range;
+  const char* read_by;   // which passes read it
+  const char* decode;    // formula from stored to shown
+  const char* in_sources;  // what the five tutorials call it
+  const char* mistake;     // the usual one
+  const char* needs = "";  // pitfall-free name of what must be stored; "" = always there
+};
+
+std::span<const ViewRow> views();
+const ViewRow& row(View);
+const ViewRow& view_by_id(std::string_view id);  // Error with the known ones
+
+// Empty if the view can be shown under these settings, else the reason why not.
+std::string why_missing(View, const Settings&);
+
+// The attachments that a view reads, by name with format: "gbuffer.normal RG16UI 4 B".
+std::string stored_as(View, const Settings&);
+
+// The world-unit interval that the depth view spans: 0 to the farthest corner of the scene, at most far.
+glm::dvec2 depth_view_range(const Camera&, const Bounds&);
+
+// A legend: what the colours mean. Drawn by panels and sheets alike.
+struct LegendEntry {
+  std::string label;
+  glm::vec3 colour;  // display-coded
+};
+struct Legend {
+  bool bar = false;  // a continuous bar between entries at equal steps, else swatches
+  std::vector<LegendEntry> entries;
+  std::vector<LegendEntry> apart;  // swatches beside a bar: values that are not on its scale, e.g. the sky
+};
+Legend legend(View, const Settings&, const Bounds&);
+
+inline constexpr glm::vec3 kSkyColour{0.09f, 0.13f, 0.30f};  // of depth, normal, …: no surface (dark blue, as users asked)
+inline constexpr double kPositionCycle = 100;                // world units in which the position view's colours repeat
+inline constexpr int kLightCountColours = 6;                 // 0, 1, 2, 3, 4, 5+
+extern const glm::vec3 kLightCountPalette[kLightCountColours];
+
+}  // namespace gbl

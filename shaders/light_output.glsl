@@ -1,0 +1,40 @@
+// What a lighting pass writes: diffuse and specular apart, their sum, or counts instead of light.
+// One place for all methods: a method only says which pairs it tests and shades.
+#include "gbuffer_read.glsl"
+#include "shade.glsl"
+
+#if OUTPUT == OUTPUT_SPLIT
+layout(location = 0) out vec4 out_diffuse;
+layout(location = 1) out vec4 out_specular;
+#else
+layout(location = 0) out vec4 out_sum;
+#endif
+
+struct Sums {
+  Lighting light;
+  vec3 counts;  // pairs tested, pairs shaded, pairs shaded with distance < range
+};
+
+Sums no_sums() { return Sums(Lighting(vec3(0.0), vec3(0.0)), vec3(0.0)); }
+
+void shade_pair(Surface s, Light light, inout Sums sums) {
+#if OUTPUT == OUTPUT_COUNT
+  sums.counts.y += 1.0;
+  if (distance(s.position, light.position) < light.range) sums.counts.z += 1.0;
+#else
+  Lighting one = shade(s, light);
+  sums.light.diffuse += one.diffuse;
+  sums.light.specular += one.specular;
+#endif
+}
+
+void write_sums(Surface s, Sums sums) {
+#if OUTPUT == OUTPUT_SPLIT
+  out_diffuse = vec4(sums.light.diffuse, 0.0);
+  out_specular = vec4(sums.light.specular, 0.0);
+#elif OUTPUT == OUTPUT_SUM
+  out_sum = vec4(s.albedo * sums.light.diffuse + sums.light.specular, 0.0);
+#else
+  out_sum = vec4(sums.counts, 0.0);
+#endif
+}

@@ -1,0 +1,13 @@
+// The pixels under one light's volume.
+#include "light_output.glsl"
+
+flat in int light;
+
+void main() {
+  Surface s = read_surface(ivec2(gl_FragCoord.xy));
+  if (!s.present) discard;
+  Sums sums = no_sums();
+  sums.counts.x = 1.0;
+  shade_pair(s, read_light(light), sums);
+  write_sums(s, sums);
+}

@@ -1,0 +1,69 @@
+// One picture per view, for the eye: display-coded RGBA8. RAW shows the stored codes undecoded.
+#include "gbuffer_read.glsl"
+
+uniform sampler2D lit;
+uniform sampler2D counts;
+#if SPLIT
+uniform sampler2D light_diffuse;
+uniform sampler2D light_specular;
+#endif
+uniform vec3 sky_colour;          // where no surface is
+uniform vec3 count_palette[6];    // 0, 1, 2, 3, 4, 5 and more
+layout(location = 0) out vec4 picture;
+
+vec3 shown_surface(Surface s, ivec2 texel) {
+#if VIEW == VIEW_ALBEDO
+  return srgb_from_linear(s.albedo);
+#elif VIEW == VIEW_NORMAL
+  return s.normal * 0.5 + 0.5;
+#elif VIEW == VIEW_DEPTH
+  float range = range_from_depth(texelFetch(gbuffer_depth, texel, 0).r);
+  return vec3(clamp((range - view_range.x) / (view_range.y - view_range.x), 0.0, 1.0));
+#elif VIEW == VIEW_MATERIAL
+  return vec3(s.roughness);
+#elif VIEW == VIEW_DIFFUSE_LIGHT && SPLIT
+  return display(texelFetch(light_diffuse, texel, 0).rgb, shading.w);
+#elif VIEW == VIEW_SPECULAR_LIGHT && SPLIT
+  return display(texelFetch(light_specular, texel, 0).rgb, shading.w);
+#elif VIEW == VIEW_LIGHTS_PER_PIXEL
+  return count_palette[int(min(texelFetch(counts, texel, 0).b, 5.0))];
+#elif VIEW == VIEW_POSITION
+  return fract((s.position + camera_position.xyz) / 100.0);
+#else
+  return vec3(0.0);
+#endif
+}
+
+vec4 raw(ivec2 texel) {
+#if VIEW == VIEW_ALBEDO
+  return vec4(texelFetch(gbuffer_material, texel, 0).rgb, 1.0);
+#elif VIEW == VIEW_MATERIAL
+  return vec4(texelFetch(gbuffer_material, texel, 0).aaa, 1.0);
+#elif VIEW == VIEW_NORMAL
+  return raw_normal(texelFetch(gbuffer_normal, texel, 0));
+#elif VIEW == VIEW_DEPTH || VIEW == VIEW_POSITION
+  return vec4(texelFetch(gbuffer_depth, texel, 0).rrr, 1.0);
+#elif VIEW == VIEW_DIFFUSE_LIGHT && SPLIT
+  return vec4(texelFetch(light_diffuse, texel, 0).rgb, 1.0);
+#elif VIEW == VIEW_SPECULAR_LIGHT && SPLIT
+  return vec4(texelFetch(light_specular, texel, 0).rgb, 1.0);
+#elif VIEW == VIEW_LIGHTS_PER_PIXEL
+  return vec4(texelFetch(counts, texel, 0).bbb / 255.0, 1.0);
+#else
+  return vec4(texelFetch(lit, texel, 0).rgb, 1.0);
+#endif
+}
+
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+#if RAW
+  picture = raw(texel);
+#elif VIEW == VIEW_FINAL
+  picture = vec4(display(texelFetch(lit, texel, 0).rgb, shading.w), 1.0);
+#elif VIEW == VIEW_LIT
+  picture = vec4(clamp(texelFetch(lit, texel, 0).rgb, 0.0, 1.0), 1.0);
+#else
+  Surface s = read_surface(texel);
+  picture = vec4(s.present ? shown_surface(s, texel) : sky_colour, 1.0);
+#endif
+}
