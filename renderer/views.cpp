@@ -52,7 +52,7 @@ constexpr ViewRow kViews[] = {
    .sentence = "The light that arrives, summed over the lights, without the surface's colour.",
    .written_by = Pass::lighting, .space = "linear RGB",
    .unit = "light on a white surface", .range = "0 and up; rgba8 stops at 1", .read_by = "combine",
-   .decode = "sum of colour x attenuation x max(N.L, 0)",
+   .decode = "sum of colour x attenuation x max(N.L, 0); shown as final is",
    .in_sources = "nclgl: lightEmissiveTex (\"emissive\"); the other four keep no light apart: it goes straight into their sum or onto the screen",
    .mistake = "summing in RGBA8: overlapping pools go flat at 1, and lights fainter than half a code vanish",
    .needs = "accumulation.targets=split"},
@@ -60,7 +60,7 @@ constexpr ViewRow kViews[] = {
    .sentence = "The highlights, summed over the lights; combine adds them as they are.",
    .written_by = Pass::lighting, .space = "linear RGB",
    .unit = "radiance", .range = "0 and up; rgba8 stops at 1", .read_by = "combine",
-   .decode = "sum of colour x attenuation x specular x max(N.H, 0)^exponent where N.L > 0",
+   .decode = "sum of colour x attenuation x specular x max(N.H, 0)^exponent where N.L > 0; shown as final is",
    .in_sources = "nclgl: lightSpecularTex; the other four keep no light apart: it goes straight into their sum or onto the screen",
    .mistake = "no test of N.L: highlights appear on faces that are turned away from the light",
    .needs = "accumulation.targets=split"},
@@ -75,14 +75,14 @@ constexpr ViewRow kViews[] = {
    .sentence = "Where the surface is, worked out from the pixel and its depth: nothing more is stored.",
    .written_by = Pass::geometry, .space = "world axes, +Y up",
    .unit = "world units", .range = "the scene's bounds; colours repeat every 100 units", .read_by = "lighting",
-   .decode = "camera + distance x (forward + x right + y up), x and y = -1..1 across the picture; shown as fract(position / 100)",
+   .decode = "view-ray: camera + distance x (forward + x right + y up), x and y = -1..1 across the picture; shown as fract(position / 100)",
    .in_sources = "nclgl: pos, from bufferDepthTex and inverseProjView; stereo: v3PositionIn, from s2DepthTexture and m4InvViewProjection; learnopengl: gPosition, RGBA16F; objectid: GBufferPosition, RGBA32F; viewspace: worldPos, in view space all the same, / 1e6 + 0.5 in RGBA32F",
    .mistake = "inverting view-projection in float: its noise is larger than the depth buffer's own error"},
   {.view = View::lit, .id = "lit", .key = "", .label = "lit",
    .sentence = "The sum that combine writes: linear radiance, not clamped; what accuracy is judged on.",
    .written_by = Pass::combine, .space = "linear RGB",
    .unit = "radiance", .range = "0 and up, not clamped", .read_by = "display, measures",
-   .decode = "albedo x (ambient + diffuse light) + specular light",
+   .decode = "albedo x (ambient + diffuse light) + specular light; shown cut to 0..1, without exposure or curve",
    .in_sources = "nclgl: none, CombineBuffers writes to the back buffer; stereo: g_uiAccumulation, R11G11B10F; learnopengl: none, FragColor; objectid: m_framebuffertexture, RGBA8; viewspace: none, light is blended onto the screen",
    .mistake = "clamping to 1 here: what overlapping lights add up to is gone before exposure can bring it back"},
 };
@@ -193,7 +193,7 @@ const ViewRow& view_by_id(std::string_view id) {
   std::vector<std::string_view> known;
   for (const ViewRow& r : kViews) {
     if (r.id == id) return r;
-    known.push_back(r.id);
+    known.emplace_back(r.id);
   }
   throw Error(ExitCode::bad_input, "view", fmt::format("unknown view '{}'", id), suggest(id, known));
 }
