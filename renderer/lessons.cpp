@@ -32,15 +32,13 @@ std::string text(const Json& node, const char* member, std::string_view where) {
   if (!node.contains(member)) return {};
   const Json& value = node[member];
   if (!value.is_string())
-    throw Error(ExitCode::bad_input, where,
-                fmt::format("\"{}\" is {}, not a text in quotes", member, value.dump()));
+    throw Error(ExitCode::bad_input, where, fmt::format("\"{}\" is {}, not a text in quotes", member, value.dump()));
   return value.get<std::string>();
 }
 
 std::string needed_text(const Json& node, const char* member, std::string_view where) {
   std::string value = text(node, member, where);
-  if (value.empty())
-    throw Error(ExitCode::bad_input, where, fmt::format("\"{}\" is missing or empty", member));
+  if (value.empty()) throw Error(ExitCode::bad_input, where, fmt::format("\"{}\" is missing or empty", member));
   return value;
 }
 
@@ -80,13 +78,12 @@ void check_version(const Json& json, std::string_view where) {
   if (!json.contains("version")) throw Error(ExitCode::bad_input, where, "no \"version\": not a lesson");
   const Json& version = json["version"];
   if (!version.is_number_integer() || version.get<long long>() < 1)
-    throw Error(ExitCode::bad_input, where,
-                fmt::format("version {} is not a whole number from 1", version.dump()));
+    throw Error(ExitCode::bad_input, where, fmt::format("version {} is not a whole number from 1", version.dump()));
   if (version.get<long long>() > kLessonVersion)
-    throw Error(ExitCode::bad_input, where,
-                fmt::format("written for a newer program: version {}, this one reads up to {}",
-                            version.dump(), kLessonVersion),
-                "update the program");
+    throw Error(
+        ExitCode::bad_input, where,
+        fmt::format("written for a newer program: version {}, this one reads up to {}", version.dump(), kLessonVersion),
+        "update the program");
 }
 
 }  // namespace

@@ -162,8 +162,7 @@ Legend normal_legend() {
 Legend count_legend() {
   Legend counts;
   for (int i = 0; i < kLightCountColours; ++i)
-    counts.entries.push_back(
-        {fmt::format("{}{}", i, i + 1 < kLightCountColours ? "" : "+"), kLightCountPalette[i]});
+    counts.entries.push_back({fmt::format("{}{}", i, i + 1 < kLightCountColours ? "" : "+"), kLightCountPalette[i]});
   return counts;
 }
 

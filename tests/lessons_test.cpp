@@ -72,7 +72,7 @@ TEST(Lessons, ThreeWaysStandWhereTheySay) {
   EXPECT_EQ(at(1).faces, Faces::back);
 
   EXPECT_NEAR(at(2).d, 518, 1e-9);
-  EXPECT_GT(at(2).d, at(2).range * at(2).scale);  // outside the mesh, vertices included
+  EXPECT_GT(at(2).d, at(2).range * at(2).scale);                         // outside the mesh, vertices included
   EXPECT_LT(at(2).d - at(2).range, settings_at(lesson, 2).camera.near);  // its front is before the near plane
   EXPECT_EQ(at(2).faces, Faces::front);
   EXPECT_NEAR(at(2).range + at(2).corner, 527.1, 0.05);
@@ -119,12 +119,11 @@ void expect_refused(const std::string& text, std::initializer_list<const char*> 
   for (const char* part : parts) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
-const char* const kGoodStep =
-    R"({"say": "S", "set": {"lights": {"count": 3}}, "view": "normal", "layout": "large"})";
+const char* const kGoodStep = R"({"say": "S", "set": {"lights": {"count": 3}}, "view": "normal", "layout": "large"})";
 
 TEST(LessonFiles, AGoodOneIsRead) {
-  const Lesson l = parse_lesson(
-      "good", file(fmt::format("[{}, {}]", kGoodStep, R"({"say": "A", "question": "Q", "answer": "B"})")));
+  const Lesson l =
+      parse_lesson("good", file(fmt::format("[{}, {}]", kGoodStep, R"({"say": "A", "question": "Q", "answer": "B"})")));
   EXPECT_EQ(l.id, "good");
   ASSERT_EQ(l.steps.size(), 2u);
   EXPECT_EQ(l.steps[0].view, "normal");
@@ -148,14 +147,12 @@ TEST(LessonFiles, MistakesNameTheStep) {
   expect_refused(second(R"({"say": 5})"), {"step 2", "\"say\" is 5"});
   expect_refused(second(R"({"say": "S", "set": {"lights.cul": "back"}})"),
                  {"step 2", "lights.cul", "did you mean 'lights.cull'"});
-  expect_refused(second(R"({"say": "S", "set": {"lights.cull": "bakc"}})"),
-                 {"step 2", "did you mean 'back'"});
+  expect_refused(second(R"({"say": "S", "set": {"lights.cull": "bakc"}})"), {"step 2", "did you mean 'back'"});
   expect_refused(second(R"({"say": "S", "set": {"ambient": -1}})"), {"step 2", "ambient"});
   expect_refused(second(R"({"say": "S", "set": 3})"), {"step 2", "must be a JSON object"});
   expect_refused(second(R"({"say": "S", "view": "normals"})"),
                  {"step 2", "unknown view 'normals'", "did you mean 'normal'"});
-  expect_refused(second(R"({"say": "S", "layout": "big"})"),
-                 {"step 2", "unknown layout 'big'", "mosaic, large"});
+  expect_refused(second(R"({"say": "S", "layout": "big"})"), {"step 2", "unknown layout 'big'", "mosaic, large"});
   expect_refused(second(R"({"say": "S", "qestion": "Q"})"),
                  {"step 2", "unknown member \"qestion\"", "did you mean 'question'"});
   expect_refused(second(R"({"say": "S", "question": "Q"})"), {"step 2", "must come together"});

@@ -40,8 +40,7 @@ TEST(Views, EveryCardIsFilledInAndSpeaksOfAllSources) {
     EXPECT_NE(std::string(r.in_sources).find("nclgl"), std::string::npos) << r.id;
     const bool two_light_views = r.view == View::diffuse_light || r.view == View::specular_light;
     for (const char* source : {"stereo", "learnopengl", "objectid", "viewspace"})
-      EXPECT_EQ(std::string(r.in_sources).find(source) == std::string::npos, two_light_views)
-          << r.id << " " << source;
+      EXPECT_EQ(std::string(r.in_sources).find(source) == std::string::npos, two_light_views) << r.id << " " << source;
   }
 }
 
@@ -152,8 +151,7 @@ TEST(Legends, LightCountsAreThePaletteAndTellApartWithoutHue) {
     EXPECT_EQ(l.entries[i].label, std::to_string(i) + (i == 5 ? "+" : ""));
     if (i > 0) {
       // 0.05: stray light on a projector's screen.
-      const double ratio =
-          (luminance(kLightCountPalette[i]) + 0.05) / (luminance(kLightCountPalette[i - 1]) + 0.05);
+      const double ratio = (luminance(kLightCountPalette[i]) + 0.05) / (luminance(kLightCountPalette[i - 1]) + 0.05);
       EXPECT_GT(ratio, 1.6) << i;
     }
   }
