@@ -12,14 +12,13 @@ namespace {
 constexpr std::string_view kPrefix = "builtin:";
 
 constexpr BuiltinScene kScenes[] = {
-    {"terrain", "Terrain",
-     "a height field under a grid of lights (source 0), with an arch, a lamp-post and two cows",
+    {"terrain", "Terrain", "a height field under a grid of lights (source 0), with an arch, a lamp-post and two cows",
      build_terrain},
 };
 
 std::vector<std::string_view> ids() {
   std::vector<std::string_view> list;
-  for (const BuiltinScene& row : kScenes) list.push_back(row.id);
+  for (const BuiltinScene& row : kScenes) list.emplace_back(row.id);
   return list;
 }
 

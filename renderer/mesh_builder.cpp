@@ -22,9 +22,7 @@ glm::dvec3 some_orthogonal(glm::dvec3 n) {
   return glm::normalize(glm::cross(n, std::abs(n.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
 }
 
-glm::dvec2 outward(glm::dvec2 from, glm::dvec2 to) {
-  return glm::normalize(glm::dvec2(to.y - from.y, from.x - to.x));
-}
+glm::dvec2 outward(glm::dvec2 from, glm::dvec2 to) { return glm::normalize(glm::dvec2(to.y - from.y, from.x - to.x)); }
 
 // Normal of the profile at one end of a segment: shared with the neighbour unless the bend is an edge.
 glm::dvec2 blended(glm::dvec2 own, glm::dvec2 neighbour) {
@@ -38,8 +36,7 @@ glm::dvec2 end_normal(std::span<const glm::dvec2> profile, size_t segment, bool 
   const size_t point = segment + (top ? 1 : 0);
   if (profile[point].x == 0) return blended(own, {-own.x, own.y});
   if (point == 0 || point + 1 == profile.size()) return own;
-  return blended(
-      own, top ? outward(profile[point], profile[point + 1]) : outward(profile[point - 1], profile[point]));
+  return blended(own, top ? outward(profile[point], profile[point + 1]) : outward(profile[point - 1], profile[point]));
 }
 
 void add_ring(Mesh& mesh, glm::dvec2 point, glm::dvec2 normal, double v, int sides) {
@@ -57,8 +54,7 @@ void add_ring(Mesh& mesh, glm::dvec2 point, glm::dvec2 normal, double v, int sid
 Mesh faceted(const Mesh& smooth) {
   Mesh flat;
   for (size_t i = 0; i < smooth.indices.size(); i += 3) {
-    const std::array<Vertex, 3> corner = {smooth.vertices[smooth.indices[i]],
-                                          smooth.vertices[smooth.indices[i + 1]],
+    const std::array<Vertex, 3> corner = {smooth.vertices[smooth.indices[i]], smooth.vertices[smooth.indices[i + 1]],
                                           smooth.vertices[smooth.indices[i + 2]]};
     const glm::dvec3 a(corner[0].position), b(corner[1].position), c(corner[2].position);
     const glm::vec3 normal = glm::normalize(glm::cross(b - a, c - a));
@@ -75,8 +71,7 @@ Mesh faceted(const Mesh& smooth) {
 
 Mesh make_hexahedron(const std::array<glm::dvec3, 8>& corners, double uv_per_unit, glm::dvec2 uv_start) {
   // Lower left, lower right, upper right, upper left as seen from outside: +X, -X, +Y, -Y, +Z, -Z.
-  constexpr int kFaces[6][4] = {{5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2},
-                                {0, 1, 5, 4}, {4, 5, 7, 6}, {1, 0, 2, 3}};
+  constexpr int kFaces[6][4] = {{5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}, {4, 5, 7, 6}, {1, 0, 2, 3}};
   Mesh mesh;
   for (const auto& face : kFaces) {
     const glm::dvec3 origin = corners[face[0]];
@@ -100,8 +95,7 @@ Mesh make_hexahedron(const std::array<glm::dvec3, 8>& corners, double uv_per_uni
 
 Mesh make_box(glm::dvec3 low, glm::dvec3 high, double uv_per_unit, glm::dvec2 uv_start) {
   std::array<glm::dvec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
-    corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+  for (int i = 0; i < 8; ++i) corners[i] = {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
   return make_hexahedron(corners, uv_per_unit, uv_start);
 }
 
@@ -129,9 +123,9 @@ Mesh make_ellipsoid(glm::dvec3 radii, int sides, int rings) {
   std::vector<glm::dvec2> profile = {{0, -1}};
   for (int i = 1; i < rings; ++i) {
     const double angle = glm::pi<double>() * i / rings;
-    profile.push_back({std::sin(angle), -std::cos(angle)});
+    profile.emplace_back(std::sin(angle), -std::cos(angle));
   }
-  profile.push_back({0, 1});
+  profile.emplace_back(0, 1);
   Mesh mesh;
   append(mesh, make_lathe(profile, sides), glm::scale(glm::dmat4(1), radii));
   return mesh;
@@ -184,8 +178,7 @@ void set_tangents(Mesh& mesh) {
     const Vertex& c = mesh.vertices[mesh.indices[i + 2]];
     const glm::dvec3 ab(b.position - a.position), ac(c.position - a.position);
     const glm::dvec2 uv_ab(b.uv - a.uv), uv_ac(c.uv - a.uv);
-    const double area =
-        uv_ab.x * uv_ac.y - uv_ac.x * uv_ab.y;  // negative where u right, v down is not mirrored
+    const double area = uv_ab.x * uv_ac.y - uv_ac.x * uv_ab.y;  // negative where u right, v down is not mirrored
     const glm::dvec3 u = (ab * uv_ac.y - ac * uv_ab.y) * (area < 0 ? -1.0 : 1.0);
     for (size_t k = i; k < i + 3; ++k) {
       along_u[mesh.indices[k]] += u;

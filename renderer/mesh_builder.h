@@ -17,8 +17,7 @@ struct UvPart {
 
 // Corner i lies at (i & 1, i & 2, i & 4) of a right-handed box; faces are flat and have corners of their own.
 // u and v are lengths on the face times uv_per_unit, from uv_start at its lower left corner.
-Mesh make_hexahedron(const std::array<glm::dvec3, 8>& corners, double uv_per_unit,
-                     glm::dvec2 uv_start = {0, 0});
+Mesh make_hexahedron(const std::array<glm::dvec3, 8>& corners, double uv_per_unit, glm::dvec2 uv_start = {0, 0});
 
 Mesh make_box(glm::dvec3 low, glm::dvec3 high, double uv_per_unit, glm::dvec2 uv_start = {0, 0});
 

@@ -115,7 +115,7 @@ const Option kOptions[] = {
   {.path = "range.kind", .group = Group::truth, .label = "Range", .help = "where a light ends", .key = "R", CHOICE(RangeKind, range.kind)},
   {.path = "range.threshold", .group = Group::truth, .label = "Range threshold", .help = "where range.kind=threshold ends a light", NUMBER(range.threshold, 1e-6, 1)},
   {.path = "shading.model", .group = Group::truth, .label = "Shading", .help = "the surface's reflection", .key = "K", CHOICE(ShadingModel, shading.model)},
-  {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_json, .set = SET(s.shading.exponent = checked_exponent(o, v))},
+  {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_json, .set = SET(s.shading.exponent = checked_exponent(o, v))},
   {.path = "shading.specular", .group = Group::truth, .label = "Specular", .help = "factor of the highlight", NUMBER(shading.specular, 0, 100)},
   {.path = "ambient", .group = Group::truth, .label = "Ambient", .help = "light from everywhere, times the albedo", NUMBER(ambient, 0, 100)},
   {.path = "background.fill", .group = Group::truth, .label = "Background", .help = "what is seen where no surface is", CHOICE(BackgroundFill, background.fill)},

@@ -8,7 +8,7 @@
 namespace gbl {
 namespace {
 
-// The first screen: light 0's pool hides a camera that stands inside its volume (cull `back` loses it).
+// The first screen. The camera stands inside the volumes of lights 37 and 38: cull `back` loses them.
 Settings start() {
   Settings s;
   s.scene = "builtin:terrain";
@@ -21,7 +21,9 @@ Settings start() {
   s.lights.method = LightMethod::volumes;
   s.lights.cull = LightCull::flip;
   s.lights.volume = {VolumeLevel::l2, VolumeFit::circumscribed, VolumeClip::planes, VolumeDepth::none};
+  s.shading.specular = 0.04;  // a dielectric's reflectance: the lobe comes from roughness and is normalised
   s.view.volumes = VolumeOverlay::picked;
+  s.view.pick = 33;  // a distant light, in the upper middle of the picture
   return s;
 }
 

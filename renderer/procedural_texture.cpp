@@ -82,7 +82,7 @@ ScalarMap make_pebbles(int size, int cells, uint64_t seed) {
     for (int j = -1; j <= 1; ++j)
       for (int i = -1; i <= 1; ++i) {
         const int row = wrapped(cell.y + j, cells), column = wrapped(cell.x + i, cells);
-        const Pebble& pebble = pebbles[static_cast<size_t>(row * cells + column)];
+        const Pebble& pebble = pebbles[row * cells + column];
         if (pebble.radius == 0) continue;
         const glm::dvec2 d = p - glm::dvec2(cell + glm::ivec2(i, j)) - pebble.place;
         const double t = 1 - glm::dot(d, d) / (pebble.radius * pebble.radius);
@@ -105,16 +105,14 @@ double TileNoise::at(double u, double v, int cells) const {
   assert(cells >= 1 && cells <= 256);
   // Eight directions 45 degrees apart; lattice points must not all slope the same way along the axes.
   constexpr double kH = 0.70710678118654752;
-  constexpr double kGradient[8][2] = {{1, 0},  {kH, kH},   {0, 1},  {-kH, kH},
-                                      {-1, 0}, {-kH, -kH}, {0, -1}, {kH, -kH}};
+  constexpr double kGradient[8][2] = {{1, 0}, {kH, kH}, {0, 1}, {-kH, kH}, {-1, 0}, {-kH, -kH}, {0, -1}, {kH, -kH}};
   const double x = u * cells, y = v * cells;
   const int cell_x = floor_of(x), cell_y = floor_of(y);
   const double fx = x - cell_x, fy = y - cell_y;
   const int x0 = wrapped(cell_x, cells), x1 = wrapped(cell_x + 1, cells);
   const int y0 = wrapped(cell_y, cells), y1 = wrapped(cell_y + 1, cells);
   const auto corner = [&](int cx, int cy, double dx, double dy) {
-    const double* g =
-        kGradient[permutation_[static_cast<size_t>(permutation_[static_cast<size_t>(cx)] + cy)] & 7];
+    const double* g = kGradient[permutation_[permutation_[static_cast<size_t>(cx)] + cy] & 7];
     return g[0] * dx + g[1] * dy;
   };
   const double sx = fade(fx), sy = fade(fy);
@@ -135,8 +133,7 @@ double TileNoise::fractal(double u, double v, int cells, int octaves, double gai
 double TileNoise::ridged(double u, double v, int cells, int octaves) const {
   double sum = 0, height = 1, total = 0;
   for (int i = 0; i < octaves; ++i, height *= 0.5, cells *= 2) {
-    const double crest =
-        1 - std::min(std::abs(at(u + i * kOctaveShift.x, v + i * kOctaveShift.y, cells)), 1.0);
+    const double crest = 1 - std::min(std::abs(at(u + i * kOctaveShift.x, v + i * kOctaveShift.y, cells)), 1.0);
     sum += crest * crest * height;
     total += height;
   }
@@ -147,14 +144,12 @@ Texture normal_map(std::string name, const ScalarMap& height, double slope) {
   const int size = height.size;
   assert((size & (size - 1)) == 0);
   const auto gradient = [&](int x, int y) {  // {right, up}
-    return glm::dvec2(height.at(x + 1, y) - height.at(x - 1, y), height.at(x, y - 1) - height.at(x, y + 1)) *
-           0.5;
+    return glm::dvec2(height.at(x + 1, y) - height.at(x - 1, y), height.at(x, y - 1) - height.at(x, y + 1)) * 0.5;
   };
   double square_sum = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) square_sum += glm::dot(gradient(x, y), gradient(x, y));
-  const double scale =
-      square_sum > 0 ? slope / std::sqrt(square_sum / (static_cast<double>(size) * size)) : 0;
+  const double scale = square_sum > 0 ? slope / std::sqrt(square_sum / (static_cast<double>(size) * size)) : 0;
   return make_texture(std::move(name), size, [&](int x, int y) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(-gradient(x, y) * scale, 1));
     return (n * 0.5 + 0.5) * 255.0;
@@ -172,8 +167,7 @@ GroundTextures make_ground_textures(int size, uint64_t seed) {
   });
   ScalarMap height{size, std::vector<double>(soil.texels.size())};
   for (size_t i = 0; i < height.texels.size(); ++i)
-    height.texels[i] =
-        (soil.texels[i] + 0.35 * stones.texels[i]) * (1 - 0.55 * wet.texels[i]);  // puddles are smoother
+    height.texels[i] = (soil.texels[i] + 0.35 * stones.texels[i]) * (1 - 0.55 * wet.texels[i]);  // puddles are smoother
 
   GroundTextures t;
   t.normal = normal_map("ground normal", height, 0.23);

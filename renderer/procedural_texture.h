@@ -29,9 +29,7 @@ class TileNoise {
 struct ScalarMap {
   int size = 0;
   std::vector<double> texels;  // rows top to bottom
-  double at(int x, int y) const {
-    return texels[static_cast<size_t>((y & (size - 1)) * size + (x & (size - 1)))];
-  }
+  double at(int x, int y) const { return texels[(y & (size - 1)) * size + (x & (size - 1))]; }
 };
 
 // Tangent-space normals, +Y up the picture, of a height map scaled so that its root-mean-square slope is `slope`

@@ -22,14 +22,12 @@ UvPart painted(Paint paint) {
 }
 
 void add_ellipsoid(Mesh& to, glm::dvec3 centre, glm::dvec3 radii, const UvPart& uv, double pitch_deg = 0) {
-  const glm::dmat4 place =
-      glm::rotate(glm::translate(glm::dmat4(1), centre), glm::radians(pitch_deg), {0, 0, 1});
+  const glm::dmat4 place = glm::rotate(glm::translate(glm::dmat4(1), centre), glm::radians(pitch_deg), {0, 0, 1});
   append(to, make_ellipsoid(radii, 10, 7), place, uv);
 }
 
 // A round bar from `from` to `to`, closed at both ends.
-void add_bar(Mesh& to, glm::dvec3 from, glm::dvec3 end, double radius_from, double radius_end,
-             const UvPart& uv) {
+void add_bar(Mesh& to, glm::dvec3 from, glm::dvec3 end, double radius_from, double radius_end, const UvPart& uv) {
   const double length = glm::distance(from, end);
   const Profile profile = {{0, 0}, {radius_from, 0}, {radius_end, length}, {0, length}};
   append(to, make_lathe(profile, 8), pointing(from, end), uv);
@@ -133,8 +131,7 @@ Mesh make_lamp_post() {
   for (int i = 0; i < 6; ++i) {  // ribs along the edges of the glass
     const double angle = glm::two_pi<double>() * i / 6;
     const glm::dvec3 out(std::cos(angle), 0, std::sin(angle));
-    add_bar(lamp, out * 4.7 + glm::dvec3(0, 107, 0), out * 7.5 + glm::dvec3(0, 119, 0), 0.6, 0.6,
-            painted(Paint::iron));
+    add_bar(lamp, out * 4.7 + glm::dvec3(0, 107, 0), out * 7.5 + glm::dvec3(0, 119, 0), 0.6, 0.6, painted(Paint::iron));
   }
   add_bar(lamp, {-9, 96, 0}, {9, 96, 0}, 0.9, 0.9, painted(Paint::iron));  // the ladder's rest
   return lamp;
@@ -171,8 +168,10 @@ Mesh make_wall() {
     for (int course = 0; course < 3; ++course) {
       double from = course % 2 ? -kHalfWidth : kHalfWidth;  // corner stones alternate between the legs
       if (leg == 1) from = -from;
-      while (from < length - 10.0 * course) {  // the ends step down
-        const double to = from + rng.in(20, 32), proud = rng.in(-0.8, 0.8);
+      const double end = length - 14.0 * course;  // the ends step down
+      while (from < end) {
+        const double wanted = from + rng.in(20, 32), proud = rng.in(-0.8, 0.8);
+        const double to = wanted > end - 10 ? end : wanted;  // no slivers
         const double bottom = course == 0 ? -8 : kCourse * course;
         const glm::dvec3 low(-to + 0.3, bottom, -kHalfWidth - proud);
         const glm::dvec3 high(-from - 0.3, kCourse * (course + 1) - 0.2, kHalfWidth + proud);

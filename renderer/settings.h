@@ -54,7 +54,7 @@ struct Settings {
   struct Shading {
     ShadingModel model = ShadingModel::blinn_phong;
     double exponent = kExponentFromRoughness;
-    double specular = 0.33;  // factor of the highlight; source 0's
+    double specular = 0.04;  // factor of the highlight
     bool operator==(const Shading&) const = default;
   } shading;
   double ambient = 0.2;

@@ -25,7 +25,7 @@ constexpr double kMeadowHeight = 26, kMeadowRadius = 420, kMeadowFlatness = 0.88
 class HeightField {
  public:
   HeightField();
-  double at(int x, int z) const { return heights_[static_cast<size_t>(z * kSide + x)]; }
+  double at(int x, int z) const { return heights_[z * kSide + x]; }
   double at(glm::dvec2 xz) const;  // between the vertices: bilinear
   glm::dvec3 normal(int x, int z) const;
 
@@ -52,30 +52,29 @@ std::vector<double> hills() {
       // Bent by a slower noise: straight noise shows its lattice as rows of equal hills.
       const glm::dvec2 bend(noise.at(uv.y, uv.x, 3), noise.at(uv.x, uv.y, 3));
       const glm::dvec2 p = uv + bend * 0.035;
-      h.push_back(noise.fractal(p.x, p.y, 8, 5, 0.46));
+      h.push_back(noise.fractal(p.x, p.y, 8, 5, 0.42));
     }
   const auto [low, high] = std::minmax_element(h.begin(), h.end());
-  const double from = *low, scale = kHillsHeight / (*high - *low);
-  for (double& y : h) y = (y - from) * scale;
+  const double from = *low, range = *high - *low;
+  // Noise is mostly near its middle: steepened there, so that hills and hollows tell in the light.
+  for (double& y : h) y = kHillsHeight * smooth((y - from) / range);
   return h;
 }
 
 HeightField::HeightField() : heights_(hills()) {
   const TileNoise noise(64);
   std::vector<double> ridges(heights_.size());
-  double scale =
-      kHighest;  // the largest that lets no vertex rise above kHighest: one vertex reaches it exactly
+  double scale = kHighest;  // the largest that lets no vertex rise above kHighest: one vertex reaches it exactly
   for (int z = 0; z < kSide; ++z)
     for (int x = 0; x < kSide; ++x) {
       const glm::dvec2 p = place_of(x, z), uv = p / kExtent;
-      const auto i = static_cast<size_t>(z * kSide + x);
+      const int i = z * kSide + x;
       const double near = smooth(1 - glm::distance(p, kMeadow) / kMeadowRadius) * kMeadowFlatness;
       heights_[i] = heights_[i] * (1 - near) + kMeadowHeight * near;
-      ridges[i] = outside(p) * (0.35 + noise.ridged(uv.x, uv.y, 7, 4));
+      ridges[i] = outside(p) * (0.5 + noise.ridged(uv.x, uv.y, 7, 3));
       if (ridges[i] > 0) scale = std::min(scale, (kHighest - heights_[i]) / ridges[i]);
     }
-  for (size_t i = 0; i < heights_.size(); ++i)
-    heights_[i] = std::min(heights_[i] + ridges[i] * scale, kHighest);
+  for (size_t i = 0; i < heights_.size(); ++i) heights_[i] = std::min(heights_[i] + ridges[i] * scale, kHighest);
 }
 
 double HeightField::at(glm::dvec2 xz) const {
@@ -115,30 +114,29 @@ Mesh make_ground(const HeightField& field) {
 }
 
 // Where a mesh stands: turned by yaw about its origin and let down until every foot (whatever is within 1 of its
-// lowest point) is at least kSunk below the ground, so that no gap shows.
-glm::dmat4 standing(const Mesh& mesh, const HeightField& field, glm::dvec2 xz, double yaw_deg) {
-  constexpr double kFoot = 1, kSunk = 0.6;
+// lowest point) is at least `sunk` below the ground, so that no gap shows.
+glm::dmat4 standing(const Mesh& mesh, const HeightField& field, glm::dvec2 xz, double yaw_deg, double sunk) {
+  constexpr double kFoot = 1;
   const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(yaw_deg), {0, 1, 0});
   double lowest = 1e9, y = 1e9;
   for (const Vertex& v : mesh.vertices) lowest = std::min(lowest, static_cast<double>(v.position.y));
   for (const Vertex& v : mesh.vertices) {
     if (v.position.y > lowest + kFoot) continue;
     const glm::dvec3 p(turn * glm::dvec4(glm::dvec3(v.position), 1));
-    y = std::min(y, field.at(xz + glm::dvec2(p.x, p.z)) - p.y - kSunk);
+    y = std::min(y, field.at(xz + glm::dvec2(p.x, p.z)) - p.y - sunk);
   }
   return glm::translate(glm::dmat4(1), {xz.x, y, xz.y}) * turn;
 }
 
-enum MaterialIndex { kGround, kStone, kPainted };
+enum MaterialIndex { ground_material, stone_material, paint_material };
 
 void add_materials(Scene& scene) {
   GroundTextures ground = make_ground_textures(512, 15);
   scene.textures = {std::move(ground.albedo), std::move(ground.normal), std::move(ground.wetness),
                     make_stone_albedo(256, 3), make_paint(256, 4)};
-  scene.materials = {
-      {.name = "ground", .base_colour_texture = 0, .normal_texture = 1, .roughness_texture = 2},
-      {.name = "stone", .roughness = 0.8f, .base_colour_texture = 3, .normal_texture = 1},
-      {.name = "paint", .roughness = 0.55f, .base_colour_texture = 4}};
+  scene.materials = {{.name = "ground", .base_colour_texture = 0, .normal_texture = 1, .roughness_texture = 2},
+                     {.name = "stone", .roughness = 0.8f, .base_colour_texture = 3, .normal_texture = 1},
+                     {.name = "paint", .roughness = 0.55f, .base_colour_texture = 4}};
 }
 
 void add_things(Scene& scene, const HeightField& field) {
@@ -156,16 +154,21 @@ void add_things(Scene& scene, const HeightField& field) {
     int mesh, material;
     glm::dvec2 xz;
     double yaw_deg;
+    double sunk = 0.6;  // round things lie deeper, or they balance on a point
   };
   const Thing things[] = {
-      {"arch", arch, kStone, {2262, 2850}, 0},        {"wall", wall, kStone, {2650, 2770}, 0},
-      {"lamp-post", lamp, kPainted, {2395, 2905}, 0}, {"cow 1", cow, kPainted, {2318, 2940}, 25},
-      {"cow 2", cow, kPainted, {2455, 2800}, 200},    {"boulder 1", large, kStone, {2590, 2860}, 20},
-      {"boulder 2", small, kStone, {2548, 2895}, 75}, {"boulder 3", large, kStone, {2425, 2640}, 130},
+      {"arch", arch, stone_material, {2262, 2850}, 0},
+      {"wall", wall, stone_material, {2650, 2770}, 0},
+      {"lamp-post", lamp, paint_material, {2395, 2905}, 0},
+      {"cow 1", cow, paint_material, {2318, 2940}, 25},
+      {"cow 2", cow, paint_material, {2455, 2800}, 200},
+      {"boulder 1", large, stone_material, {2590, 2860}, 20, 9},
+      {"boulder 2", small, stone_material, {2548, 2895}, 75, 5},
+      {"boulder 3", large, stone_material, {2425, 2640}, 130, 9},
   };
   for (const Thing& t : things)
     scene.instances.push_back(
-        {t.name, t.mesh, t.material, standing(scene.meshes[t.mesh], field, t.xz, t.yaw_deg)});
+        {t.name, t.mesh, t.material, standing(scene.meshes[t.mesh], field, t.xz, t.yaw_deg, t.sunk)});
 }
 
 }  // namespace
@@ -176,10 +179,10 @@ Scene build_terrain() {
   const HeightField field;
   add_materials(scene);
   scene.meshes.push_back(make_ground(field));
-  scene.instances.push_back({"ground", 0, kGround, glm::dmat4(1)});
+  scene.instances.push_back({"ground", 0, ground_material, glm::dmat4(1)});
   add_things(scene, field);
   scene.bounds = bounds_of(scene);
-  scene.camera.position = {2470, 340, 3320};
+  scene.camera.position = {2470, 340, 3320, 9};
   scene.camera.orientation = orientation_from_yaw_pitch(7, -23);
   scene.camera.near = 1;
   scene.camera.far = 10000;

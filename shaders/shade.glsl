@@ -19,6 +19,11 @@ float exponent_of(float roughness) {
   return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 1.0, 8192.0);
 }
 
+// A lobe from roughness is normalised, so that a wet patch glitters and dry earth stays matte: (e + 2) / 8 keeps the
+// reflected energy about constant (Akenine-Moeller et al. 2018, "Real-Time Rendering", section 9.8). A constant
+// exponent is the tutorials' and is left as they print it.
+float lobe_scale(float exponent) { return shading.x >= 0.0 ? 1.0 : (exponent + 2.0) / 8.0; }
+
 Lighting shade(Surface s, Light light) {
   Lighting none = Lighting(vec3(0.0), vec3(0.0));
   vec3 to_light = light.position - s.position;
@@ -31,5 +36,6 @@ Lighting shade(Surface s, Light light) {
   vec3 half_way = normalize(to_light + to_eye);
   float n_dot_h = max(dot(s.normal, half_way), 0.0);
   vec3 arriving = light.colour * attenuation(distance, light.range);
-  return Lighting(arriving * n_dot_l, arriving * (shading.y * pow(n_dot_h, exponent_of(s.roughness))));
+  float exponent = exponent_of(s.roughness);
+  return Lighting(arriving * n_dot_l, arriving * (shading.y * lobe_scale(exponent) * pow(n_dot_h, exponent)));
 }

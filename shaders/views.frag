@@ -13,7 +13,7 @@ layout(location = 0) out vec4 picture;
 
 vec3 shown_surface(Surface s, ivec2 texel) {
 #if VIEW == VIEW_ALBEDO
-  return srgb_from_linear(s.albedo);
+  return coded_from_linear(s.albedo);
 #elif VIEW == VIEW_NORMAL
   return s.normal * 0.5 + 0.5;
 #elif VIEW == VIEW_DEPTH

@@ -1,6 +1,7 @@
 #include "renderer/gl/device.h"
 
 #include <epoxy/gl.h>
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "renderer/error.h"
@@ -99,11 +100,12 @@ Device probe_device(FeatureSet without) {
   d.features = present_features(d.time_query_bits);
   for (const FeatureRow& r : kFeatures)
     if (without.has(r.feature)) d.features.remove(r.feature);
-  g_device = d;
-  d.half_store = rounding(Format::rgba16f, 10, false);
-  d.half_blend = rounding(Format::rgba16f, 10, true);
-  d.r11_store = rounding(Format::r11g11b10f, 6, false);
   return g_device = d;
+}
+
+RoundingProbe probe_rounding() {
+  return {rounding(Format::rgba16f, 10, false), rounding(Format::rgba16f, 10, true),
+          rounding(Format::r11g11b10f, 6, false)};
 }
 
 }  // namespace gbl::gl

@@ -16,10 +16,15 @@ struct Device {
   int max_size = 0;          // of a texture and viewport, pixels a side
   int max_draw_buffers = 0;
   int time_query_bits = 0;
-  Rounding half_store = Rounding::other;  // of a value stored to RGBA16F
-  Rounding half_blend = Rounding::other;  // of a sum blended into RGBA16F
-  Rounding r11_store = Rounding::other;   // of a value stored to R11G11B10F
 };
+
+// How stores and blends round here: GL leaves it open, llvmpipe truncates, GPUs mostly round to nearest.
+struct RoundingProbe {
+  Rounding half_store;  // of a value stored to RGBA16F
+  Rounding half_blend;  // of a sum blended into RGBA16F
+  Rounding r11_store;   // of a value stored to R11G11B10F
+};
+RoundingProbe probe_rounding();
 
 // Needs a current context of GL 3.3 or later; throws Error(no_gl) otherwise. `without` is switched off.
 Device probe_device(FeatureSet without);

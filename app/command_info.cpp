@@ -1,0 +1,60 @@
+// `info`: what this machine can do, and why not.
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/headless.h"
+#include "renderer/gl/device.h"
+#include "renderer/settings_json.h"
+
+namespace gbl {
+namespace {
+
+Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSet switched_off) {
+  Json j;
+  j["gl"] = d.version;
+  j["glsl"] = d.glsl;
+  j["vendor"] = d.vendor;
+  j["device"] = d.renderer;
+  j["software"] = d.software;
+  j["max_size"] = d.max_size;
+  j["max_draw_buffers"] = d.max_draw_buffers;
+  j["max_lights"] = kMaxLights;
+  j["time_query_bits"] = d.time_query_bits;
+  j["rounding"] = {{"rgba16f_store", gl::label(rounding.half_store)},
+                   {"rgba16f_blend", gl::label(rounding.half_blend)},
+                   {"r11g11b10f_store", gl::label(rounding.r11_store)}};
+  j["features"] = Json::array();
+  for (const FeatureRow& f : kFeatures) {
+    const bool there = d.features.has(f.feature);
+    const char* reason = there ? "" : switched_off.has(f.feature) ? "switched off by --without" : "the driver lacks it";
+    j["features"].push_back({{"id", f.id}, {"available", there}, {"reason", reason}, {"used_for", f.used_for}});
+  }
+  return j;
+}
+
+}  // namespace
+
+ExitCode run_info(const Arguments& a) {
+  const HeadlessContext context;
+  const FeatureSet off = without_of(a);
+  const gl::Device d = gl::probe_device(off);
+  const gl::RoundingProbe rounding = gl::probe_rounding();
+  const Json j = info_json(d, rounding, off);
+  if (a.json) {
+    fmt::print("{}\n", j.dump(2));
+    return ExitCode::done;
+  }
+  fmt::print("GL            {}\nGLSL          {}\ndevice        {}{}\n", d.version, d.glsl, d.renderer,
+             d.software ? "  (a CPU rasteriser: its times say nothing about a GPU)" : "");
+  fmt::print("limits        {} pixels a side, {} draw buffers, {} lights, {} bits of time query\n", d.max_size,
+             d.max_draw_buffers, kMaxLights, d.time_query_bits);
+  fmt::print("rounding      RGBA16F store {}, blend {}; R11G11B10F store {}\n", gl::label(rounding.half_store),
+             gl::label(rounding.half_blend), gl::label(rounding.r11_store));
+  for (const Json& f : j["features"])
+    fmt::print("{:<13} {}  {}\n", f["id"].get<std::string>(),
+               f["available"].get<bool>() ? "yes" : "no: " + f["reason"].get<std::string>(),
+               f["used_for"].get<std::string>());
+  return ExitCode::done;
+}
+
+}  // namespace gbl

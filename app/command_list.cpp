@@ -1,0 +1,249 @@
+// `list WHAT`: every table of the lab as text, Markdown or JSON. The same rows fill the docs.
+#include <fmt/format.h>
+#include <functional>
+#include <optional>
+
+#include "app/commands.h"
+#include "app/headless.h"
+#include "renderer/builtin_scenes.h"
+#include "renderer/gl/device.h"
+#include "renderer/lessons.h"
+#include "renderer/normal_encoding.h"
+#include "renderer/options.h"
+#include "renderer/presets.h"
+#include "ui/ui.h"
+
+namespace gbl {
+namespace {
+
+// One row: columns in order, ready for JSON; `needs` decides `available`.
+struct ListRow {
+  Json columns;
+  Feature needs = Feature::none;
+};
+using Rows = std::vector<ListRow>;
+
+Json base(const char* id, const char* label) {
+  Json j;
+  j["id"] = id;
+  j["label"] = label;
+  return j;
+}
+
+// A table of values: `sound` is null for truth rows.
+template <class E>
+Rows value_rows(bool of_truth = false) {
+  Rows out;
+  for (const ValueRow& r : rows<E>()) {
+    Json j = base(r.id, r.label);
+    j["sound"] = of_truth ? Json(nullptr) : Json(r.sound());
+    j["pitfall"] = r.pitfall;
+    j["help"] = r.help;
+    j["cost"] = r.cost;
+    j["source"] = r.source;
+    out.push_back({j, r.needs});
+  }
+  return out;
+}
+
+template <class Table>
+Rows named_rows(const Table& table) {
+  Rows out;
+  for (const auto& r : table) {
+    Json j = base(r.id, r.label);
+    j["sound"] = nullptr;
+    j["help"] = r.help;
+    out.push_back({j});
+  }
+  return out;
+}
+
+Rows encoding_rows() {
+  Rows out = value_rows<NormalEncoding>();
+  for (size_t i = 0; i < out.size(); ++i) {
+    const EncodingRow& e = row_of(static_cast<NormalEncoding>(i));
+    Json& j = out[i].columns;
+    j["bits"] = e.bits, j["mean_deg"] = e.mean_deg, j["p99_deg"] = e.p99_deg, j["max_deg"] = e.max_deg;
+  }
+  return out;
+}
+
+Rows view_rows() {
+  Rows out;
+  for (const ViewRow& v : views()) {
+    Json j = base(v.id, v.label);
+    j["sound"] = nullptr;
+    j["key"] = v.key;
+    j["help"] = v.sentence;
+    out.push_back({j});
+  }
+  return out;
+}
+
+Rows option_rows() {
+  Rows out;
+  for (const Option& o : options()) {
+    Json j = base(o.path, o.label);
+    j["sound"] = nullptr;
+    j["group"] = group_id(o.group);
+    j["key"] = o.key;
+    j["help"] = o.help;
+    if (o.kind == Kind::choice) {
+      j["values"] = Json::array();
+      for (const ValueRow& r : o.values) j["values"].push_back(r.id);
+    } else if (o.min != o.max) {
+      j["range"] = Json::array({o.min, o.max});
+    }
+    if (*o.unit) j["unit"] = o.unit;
+    out.push_back({j});
+  }
+  return out;
+}
+
+Rows key_list() {
+  Rows out;
+  for (const ui::KeyRow& k : ui::key_rows()) {
+    Json j = base(k.id.c_str(), k.help.c_str());
+    j["sound"] = nullptr;
+    j["key"] = k.key;
+    out.push_back({j});
+  }
+  return out;
+}
+
+Rows lesson_rows() {
+  Rows out;
+  for (const std::string& id : lesson_ids()) {
+    const Lesson lesson = load_lesson(id);
+    Json j = base(id.c_str(), lesson.title.c_str());
+    j["sound"] = nullptr;
+    j["steps"] = lesson.steps.size();
+    out.push_back({j});
+  }
+  return out;
+}
+
+struct List {
+  const char* id;
+  std::function<Rows()> rows;
+};
+const List kLists[] = {
+    {"presets", [] { return named_rows(presets()); }},
+    {"scenes", [] { return named_rows(builtin_scenes()); }},
+    {"layouts", [] { return value_rows<Layout>(); }},
+    {"encodings", encoding_rows},
+    {"positions", [] { return value_rows<PositionReconstruct>(); }},
+    {"methods", [] { return value_rows<LightMethod>(); }},
+    {"culls", [] { return value_rows<LightCull>(); }},
+    {"views", view_rows},
+    {"overlays", [] { return value_rows<VolumeOverlay>(true); }},
+    {"options", option_rows},
+    {"keys", key_list},
+    {"lessons", lesson_rows},
+};
+
+const List& list_called(const std::string& what) {
+  std::vector<std::string_view> known;
+  for (const List& l : kLists) {
+    if (what == l.id) return l;
+    known.push_back(l.id);
+  }
+  throw Error(ExitCode::bad_input, "list", what.empty() ? "name what to list" : fmt::format("nothing called '{}'", what),
+              suggest(what, known));
+}
+
+// What this machine's driver has; empty and the reason when there is none.
+struct Availability {
+  std::optional<FeatureSet> features;
+  std::string why_unknown;
+};
+Availability availability(const Arguments& a) {
+  try {
+    const HeadlessContext context;
+    return {gl::probe_device(without_of(a)).features, ""};
+  } catch (const Error& e) {
+    if (e.code() != ExitCode::no_gl) throw;
+    return {{}, e.what()};
+  }
+}
+
+Json as_json(const Rows& rows_listed, const Availability& here) {
+  Json all = Json::array();
+  for (const ListRow& r : rows_listed) {
+    Json j;
+    for (const auto& [key, value] : r.columns.items()) {
+      j[key] = value;
+      if (key != "label") continue;
+      j["available"] = here.features ? Json(here.features->has(r.needs)) : Json(nullptr);
+      if (!here.features) j["reason"] = here.why_unknown;
+    }
+    all.push_back(j);
+  }
+  return all;
+}
+
+std::string cell(const Json& v) {
+  if (v.is_string()) return v.get<std::string>();
+  if (v.is_null()) return "";
+  if (v.is_boolean()) return v.get<bool>() ? "yes" : "no";
+  if (v.is_number_float()) return fmt::format("{:.4g}", v.get<double>());
+  if (!v.is_array()) return v.dump();
+  std::string all;
+  for (const Json& part : v) all += (all.empty() ? "" : ", ") + cell(part);
+  return all;
+}
+
+// Columns that say something in at least one row.
+std::vector<std::string> columns_of(const Json& all) {
+  std::vector<std::string> out;
+  for (const Json& r : all)
+    for (const auto& [key, value] : r.items())
+      if (!cell(value).empty() && std::find(out.begin(), out.end(), key) == out.end()) out.push_back(key);
+  return out;
+}
+
+std::string as_markdown(const Json& all) {
+  const std::vector<std::string> columns = columns_of(all);
+  std::string out = fmt::format("| {} |\n|{}\n", fmt::join(columns, " | "), [&] {
+    std::string rule;
+    for (size_t i = 0; i < columns.size(); ++i) rule += "---|";
+    return rule;
+  }());
+  for (const Json& r : all) {
+    for (const std::string& c : columns) out += "| " + (r.contains(c) ? cell(r[c]) : "") + " ";
+    out += "|\n";
+  }
+  return out;
+}
+
+std::string as_text(const Json& all) {
+  size_t width = 0;
+  for (const Json& r : all) width = std::max(width, r["id"].get<std::string>().size());
+  std::string out;
+  for (const Json& r : all) {
+    const std::string key = r.contains("key") && !cell(r["key"]).empty() ? "[" + cell(r["key"]) + "] " : "";
+    const std::string pitfall = r.contains("pitfall") && !cell(r["pitfall"]).empty() ? "  UNSOUND: " + cell(r["pitfall"]) : "";
+    const std::string values = r.contains("values") ? "  (" + cell(r["values"]) + ")" : "";
+    const std::string help = r.contains("help") ? cell(r["help"]) : "";
+    out += fmt::format("{:<{}}  {}{}{}{}{}\n", cell(r["id"]), width, key, cell(r["label"]),
+                       help.empty() ? "" : ": " + help, values, pitfall);
+  }
+  return out;
+}
+
+}  // namespace
+
+ExitCode run_list(const Arguments& a) {
+  const List& list = list_called(a.what);
+  const Availability here = a.markdown ? Availability{} : availability(a);
+  const Json all = as_json(list.rows(), here);
+  if (a.json) fmt::print("{}\n", all.dump(2));
+  else if (a.markdown) {
+    Json shown = all;
+    for (Json& r : shown) r.erase("reason"), r.erase("available");
+    fmt::print("{}", as_markdown(shown));
+  } else fmt::print("{}", as_text(all));
+  return ExitCode::done;
+}
+
+}  // namespace gbl

@@ -1,0 +1,174 @@
+// Pictures without a window: each view as a PNG, a captioned sheet, and the start sheets.
+#include <fmt/format.h>
+#include <future>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/headless.h"
+#include "app/imgui_screen.h"
+#include "app/lab.h"
+#include "app/report_json.h"
+#include "renderer/presets.h"
+#include "renderer/settings_json.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double kWarnMs = 5000;       // a frame predicted longer than this is announced
+constexpr double kMaxLitTests = 4e9;   // pairs_lit is a full-screen loop over all lights: above this it is left out
+
+std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
+  std::vector<View> out;
+  if (a.only.empty()) {
+    for (const ViewRow& v : views())
+      if (why_missing(v.view, s).empty()) out.push_back(v.view);
+    return out;
+  }
+  std::istringstream list(a.only);
+  for (std::string id; std::getline(list, id, ',');) {
+    const View v = view_by_id(id).view;
+    const std::string missing = why_missing(v, s);
+    if (!missing.empty()) throw Error(ExitCode::bad_input, fmt::format("--only {}", id), missing);
+    out.push_back(v);
+  }
+  return out;
+}
+
+void announce(Lab& lab, const Settings& s) {
+  lab.open_scene(s.scene);
+  const double ms = lab.cost().predict_ms(s, lights_of(s, lab.scene()));
+  if (ms > kWarnMs) fmt::print(stderr, "gbufferlab: this frame is predicted to take about {:.0f} s\n", ms / 1000);
+}
+
+// PNGs are packed on other threads while the GPU draws the next view.
+class Writer {
+ public:
+  Writer(fs::path folder, PngText texts) : folder_(std::move(folder)), texts_(std::move(texts)) {}
+  void write(const std::string& name, Image image) {
+    written_.push_back(name);
+    tasks_.push_back(std::async(std::launch::async, [this, name, image = std::move(image)] {
+      write_png(folder_ / name, image, texts_);
+    }));
+  }
+  std::vector<std::string> finish() {
+    for (auto& t : tasks_) t.get();
+    return written_;
+  }
+
+ private:
+  fs::path folder_;
+  PngText texts_;
+  std::vector<std::future<void>> tasks_;
+  std::vector<std::string> written_;
+};
+
+std::string in_words(const Settings& s, const FrameReport& r) {
+  const Preset* p = preset_of(s);
+  std::string text = fmt::format("{} · {}x{} · {} lights, {} · cull {} · normal {} · {} + {} B/px", p ? p->label : s.scene,
+                                 s.size.x, s.size.y, r.light_count, row(s.lights.method).label, row(s.lights.cull).id,
+                                 row(s.normal.encoding).label, r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
+  if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
+    text += fmt::format(" · shaded ÷ lit {:.2f}", double(r.pairs->shaded) / double(*r.pairs->lit));
+  return text;
+}
+
+ui::Sheet sheet_of(Lab& lab, const std::vector<View>& views_shown) {
+  ui::Sheet sheet;
+  sheet.title = "G-Buffer Lab";
+  sheet.caption = in_words(lab.drawn(), lab.report());
+  for (const View v : views_shown) {
+    lab.draw_view(v, {.overlays = v == View::final});
+    sheet.tiles.push_back({v, lab.handle_of(v), ""});
+  }
+  return sheet;
+}
+
+Image picture_of(Lab& lab, const ui::Sheet& sheet) {
+  ui::Ui ui(lab.drawn(), false);
+  ImguiScreen screen(ui);
+  const ui::Input input = ui_input(lab);
+  const auto draw = [&] { ui::draw_sheet(sheet, lab.drawn(), input); };
+  return screen.picture(ui::sheet_size(sheet, lab.drawn()), draw);
+}
+
+}  // namespace
+
+ExitCode run_render(const Arguments& a) {
+  const Settings s = settings_of(a);
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  require_valid(s, lab.limits());
+  const std::vector<View> shown = wanted_views(a, s);
+  const fs::path folder = a.output.value_or("out");
+  make_folder(folder);
+  announce(lab, s);
+  lab.draw(s);
+  lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMaxLitTests);
+  const std::string state = to_json(s).dump(2) + "\n";
+  Writer writer(folder, {{kSettingsKey, state}});
+  for (const View v : shown) {
+    lab.draw_view(v);
+    writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v));
+    if (!a.raw) continue;
+    lab.draw_view(v, {.raw = true});
+    writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v));
+  }
+  lab.collect(true);
+  if (a.sheet) writer.write("sheet.png", picture_of(lab, sheet_of(lab, shown)));
+  write_text_file(folder / "settings.json", state);
+  const std::vector<std::string> files = writer.finish();
+  if (a.json) fmt::print("{}\n", report_json(lab).dump(2));
+  else fmt::print("{}\n{} pictures and settings.json in {}\n", in_words(s, lab.report()), files.size(), folder.string());
+  return ExitCode::done;
+}
+
+namespace {
+
+// The first screen, as the window shows it.
+Image first_screen(Lab& lab, Settings s) {
+  ui::Ui ui(s, false);
+  ImguiScreen screen(ui);
+  lab.draw(s);
+  lab.count_pairs(true);
+  for (const ViewRow& v : views())
+    if (!std::string_view(v.key).empty()) lab.draw_view(v.view, {.overlays = v.view == View::final});
+  lab.collect(true);
+  const ui::Input input = ui_input(lab);
+  return screen.picture({1600, 900}, [&] { ui.draw(s, input, {}); });
+}
+
+// The final picture under three culling rules, side by side.
+Image three_culls(Lab& lab, Settings s) {
+  ui::Sheet sheet{.title = "Which faces of a light volume are drawn?", .columns = 3, .tile_width = 640};
+  std::vector<Canvas> kept;  // each view is overwritten by the next
+  for (const LightCull cull : {LightCull::flip, LightCull::back, LightCull::none}) {
+    s.lights.cull = cull;
+    lab.draw(s);
+    lab.draw_view(View::final);
+    kept.push_back(lab.copy_of(View::final));
+    sheet.tiles.push_back({View::final, {kept.back().texture.id(), s.size},
+                           fmt::format("cull {}: {}", row(cull).id, row(cull).help)});
+  }
+  sheet.caption = fmt::format("camera inside the volumes of several lights · {}", in_words(s, lab.report()));
+  return picture_of(lab, sheet);
+}
+
+}  // namespace
+
+ExitCode run_start_sheets(const Arguments& a) {
+  Settings s = settings_of(a);
+  s.size = {800, 450};  // the first screen's large picture
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  const fs::path folder = "out";
+  make_folder(folder);
+  const PngText texts = {{kSettingsKey, to_json(s).dump(2)}};
+  write_png(folder / "start.png", first_screen(lab, s), texts);
+  write_png(folder / "start_cull.png", three_culls(lab, s), texts);
+  fmt::print("No display: wrote the first screen instead.\n  {}\n  {}\n", (folder / "start.png").string(),
+             (folder / "start_cull.png").string());
+  return ExitCode::done;
+}
+
+}  // namespace gbl

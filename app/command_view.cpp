@@ -1,0 +1,115 @@
+// The window: events in, one UI frame, whatever it asks for, picture out.
+#include <epoxy/gl.h>
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/imgui_screen.h"
+#include "app/viewer.h"
+#include "app/window.h"
+#include "renderer/resources.h"
+#include "renderer/settings_json.h"
+
+namespace gbl {
+namespace {
+
+constexpr glm::ivec2 kWindowSize{1600, 900};
+constexpr double kFrameSeconds = 1.0 / 60;  // pace while something happens
+constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
+
+// "out/figure-003-normal.png": the first number that is free.
+std::filesystem::path free_figure_name(const Settings& s) {
+  for (int n = 1;; ++n) {
+    const auto path = std::filesystem::path("out") / fmt::format("figure-{:03}-{}.png", n, s.view.main);
+    if (!std::filesystem::exists(path)) return path;
+  }
+}
+
+// The window's picture as seen, with the settings in it so that --state can bring it back.
+std::string save_figure(glm::ivec2 size, const Settings& s) {
+  try {
+    std::vector<uint8_t> pixels(4u * size.x * size.y);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    make_folder("out");
+    const std::filesystem::path path = free_figure_name(s);
+    write_png(path, image_from_gl_rows(size, std::move(pixels)), {{kSettingsKey, to_json(s).dump(2)}});
+    return fmt::format("saved {}", path.string());
+  } catch (const Error& e) {
+    return e.what();
+  }
+}
+
+// ImGui's GLFW back-end for as long as the window runs.
+struct GlfwBackend {
+  explicit GlfwBackend(const Window& w) { ImGui_ImplGlfw_InitForOpenGL(w.handle(), true); }
+  ~GlfwBackend() { ImGui_ImplGlfw_Shutdown(); }
+};
+
+class Loop {
+ public:
+  Loop(const Arguments& a, Settings s)
+      : settings_(std::move(s)), ui_(settings_, a.present), window_(kWindowSize, "G-Buffer Lab"), lab_(without_of(a)),
+        viewer_(lab_), screen_(ui_), backend_(window_) {
+    if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
+    settings_.size = {800, 450};
+    ui::Requests first;  // something to show in the very first frame
+    first.visible.fill(true);
+    viewer_.update(settings_, first, false);
+  }
+
+  void run(int frames) {
+    for (int n = 0; !window_.closing() && (frames == 0 || n < frames); ++n) step();
+  }
+
+ private:
+  void step() {
+    window_.wait_events(pace());
+    const glm::ivec2 size = window_.framebuffer_size();
+    if (size.x == 0 || size.y == 0) return;  // minimised
+    if (window_.saw_input()) quiet_frames_ = 0;
+    ++quiet_frames_;
+    ui::Input input = viewer_.input(glfwGetTime());
+    input.held.assign(window_.held().begin(), window_.held().end());
+    ui::Requests requests;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    const std::vector<ui::KeyEvent> keys = window_.take_keys();
+    if (!keys.empty()) viewer_.say("");
+    ImGui_ImplGlfw_NewFrame();
+    screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
+    if (requests.save_figure) viewer_.say(save_figure(size, settings_));
+    window_.swap();
+    wake_in_ = requests.wake_in.value_or(kIdleSeconds);
+    if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
+    viewer_.update(settings_, requests, ui_.moving(settings_));
+  }
+
+  // Full pace while something moves or has just happened (ImGui needs a few frames to settle), else nearly asleep.
+  double pace() const {
+    if (viewer_.busy() || quiet_frames_ < 4) return kFrameSeconds;
+    return std::min(kIdleSeconds, wake_in_);
+  }
+
+  Settings settings_;
+  ui::Ui ui_;
+  Window window_;
+  Lab lab_;
+  Viewer viewer_;
+  ImguiScreen screen_;
+  GlfwBackend backend_;
+  int quiet_frames_ = 0;
+  double wake_in_ = kIdleSeconds;
+};
+
+}  // namespace
+
+ExitCode run_view(const Arguments& a) {
+  Loop(a, settings_of(a)).run(a.frames);
+  return ExitCode::done;
+}
+
+}  // namespace gbl

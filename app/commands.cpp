@@ -1,0 +1,54 @@
+#include "app/commands.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <new>
+
+namespace gbl {
+namespace {
+
+constexpr Command kCommands[] = {
+    {"view", "open the window: the lab itself", run_view},
+    {"render", "draw without a window: each view as a PNG, a captioned sheet", run_render},
+    {"list", "presets, scenes, layouts, encodings, positions, methods, views, overlays, options, keys, lessons", run_list},
+    {"info", "the driver, its limits and its rounding; which features are there and why not", run_info},
+};
+
+ExitCode run(const Arguments& a) {
+  if (a.command.empty()) return display_present() ? run_view(a) : run_start_sheets(a);
+  for (const Command& c : kCommands)
+    if (a.command == c.name) return c.run(a);
+  return ExitCode::bad_input;
+}
+
+int complain(const char* message, ExitCode code) {
+  fmt::print(stderr, "gbufferlab: {}\n", message);
+  return static_cast<int>(code);
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+bool display_present() {
+  for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
+    if (const char* value = std::getenv(name); value && *value) return true;
+  return false;
+}
+
+int run_program(int argc, const char* const* argv) {
+  // Files are renamed into place when whole, so leaving at once loses nothing but a temporary file.
+  std::signal(SIGINT, [](int) { std::_Exit(static_cast<int>(ExitCode::interrupted)); });
+  try {
+    return static_cast<int>(run(parse_arguments(argc, argv)));
+  } catch (const Error& e) {
+    return complain(e.what(), e.code());
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; choose a smaller size or scene", ExitCode::unfinished);
+  } catch (const std::exception& e) {
+    return complain(e.what(), ExitCode::unfinished);
+  }
+}
+
+}  // namespace gbl

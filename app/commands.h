@@ -1,0 +1,61 @@
+#pragma once
+// The commands: name, help and function, one row each; and what the command line gave them.
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/error.h"
+#include "renderer/features.h"
+#include "renderer/settings.h"
+
+namespace gbl {
+
+// The command line, read but not yet judged: see settings_of() for the order in which its parts apply.
+struct Arguments {
+  std::string command;  // empty: none given
+  std::string what;     // of `list`
+
+  std::optional<std::string> scene, preset, state, camera, size;
+  std::optional<int> lights;
+  std::optional<unsigned> seed;
+  std::optional<double> time;
+  std::vector<std::string> set;
+  std::string without;
+  bool json = false, markdown = false;
+
+  std::optional<std::filesystem::path> output;  // -o DIR
+  std::string only;                             // views, comma-separated
+  bool raw = false, sheet = false;
+  bool present = false, fresh = false;
+  std::string lesson;
+  int frames = 0;  // of `view`: draw so many and leave; 0 = until closed
+};
+
+// Parses; prints help and exits as CLI11 does. Throws Error(bad_input).
+Arguments parse_arguments(int argc, const char* const* argv);
+
+// defaults < preset < state < scene < camera, lights, rig, seed, size, time < set, whatever the order on the line.
+Settings settings_of(const Arguments&);
+FeatureSet without_of(const Arguments&);
+
+struct Command {
+  const char* name;
+  const char* help;
+  ExitCode (*run)(const Arguments&);
+};
+std::span<const Command> commands();
+
+ExitCode run_view(const Arguments&);
+ExitCode run_render(const Arguments&);
+ExitCode run_list(const Arguments&);
+ExitCode run_info(const Arguments&);
+ExitCode run_start_sheets(const Arguments&);  // what happens without a command and without a display
+
+bool display_present();
+
+// Catches what commands throw: one line on standard error and the exit code.
+int run_program(int argc, const char* const* argv);
+
+}  // namespace gbl

@@ -1,0 +1,18 @@
+#pragma once
+// A GL context without a window or an X server: EGL, surfaceless platform. Current while it lives.
+#include <memory>
+
+namespace gbl {
+
+class HeadlessContext {
+ public:
+  HeadlessContext();  // Error(no_gl) with what is missing
+  ~HeadlessContext();
+  HeadlessContext(const HeadlessContext&) = delete;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+};
+
+}  // namespace gbl

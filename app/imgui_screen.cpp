@@ -1,0 +1,47 @@
+#include "app/imgui_screen.h"
+
+#include <epoxy/gl.h>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "renderer/gl/readback.h"
+#include "renderer/passes/targets.h"
+
+namespace gbl {
+
+ImguiScreen::ImguiScreen(ui::Ui& style) {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is written to the working folder
+  style.set_up_style();
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+ImguiScreen::~ImguiScreen() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void ImguiScreen::draw(glm::ivec2 size, const std::function<void()>& panels) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(static_cast<float>(size.x), static_cast<float>(size.y));
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  panels();
+  ImGui::Render();
+  glViewport(0, 0, size.x, size.y);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+Image ImguiScreen::picture(glm::ivec2 size, const std::function<void()>& panels) {
+  const Canvas canvas = make_canvas({.size = size, .format = Format::rgba8, .label = "screen"});
+  glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer.id());
+  draw(size, panels);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return image_from_gl_rows(size, gl::read_rgba8(canvas.texture));
+}
+
+}  // namespace gbl

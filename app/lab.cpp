@@ -1,0 +1,83 @@
+#include "app/lab.h"
+
+#include "renderer/builtin_scenes.h"
+
+namespace gbl {
+
+Lab::Lab(FeatureSet without) : device_(gl::probe_device(without)), cost_(device_.software) {}
+
+void Lab::open_scene(const std::string& name) {
+  if (name == scene_name_) return;
+  gpu_scene_ = std::make_unique<GpuScene>(std::make_shared<const Scene>(load_scene(name)));
+  scene_name_ = name;
+}
+
+void Lab::draw(const Settings& s) {
+  require_valid(s, limits());
+  open_scene(s.scene);
+  FrameReport report = renderer_.render(s, *gpu_scene_, targets_);
+  drawn_ = s;
+  report.pairs.reset();
+  report_ = std::move(report);
+}
+
+void Lab::draw_view(View view, ViewOptions options) {
+  renderer_.draw_view(view, drawn_, *gpu_scene_, targets_, options);
+}
+
+void Lab::collect(bool wait) {
+  renderer_.collect(targets_, report_, wait);
+  for (const PassTime& p : report_.passes)
+    if (p.pass == "lighting" && p.ms && report_.time_source != "cpu-clock")
+      cost_.learn(estimate_work(drawn_, targets_.lights), *p.ms);
+}
+
+void Lab::start_probe(glm::ivec2 pixel) {
+  renderer_.start_probe(drawn_, *gpu_scene_, targets_, pixel);
+  probed_pixel_ = pixel;
+}
+
+std::optional<ui::PixelProbe> Lab::take_probe() {
+  const std::optional<ProbeValues> v = renderer_.take_probe(targets_, false);
+  if (!v) return {};
+  ui::PixelProbe p;
+  p.pixel = probed_pixel_;
+  p.albedo = (*v)[0], p.roughness = (*v)[0].w;
+  p.normal = (*v)[1], p.surface = (*v)[1].w > 0.5f;
+  p.position = (*v)[2], p.range = (*v)[2].w;
+  p.diffuse_light = (*v)[3], p.specular_light = (*v)[4];
+  p.lit = (*v)[5], p.lights = (*v)[5].w;
+  return p;
+}
+
+Image Lab::image_of(View view) const {
+  const gl::Texture& t = targets_.drawn_view(view)->texture;
+  return image_from_gl_rows(t.size, gl::read_rgba8(t));
+}
+
+ui::ViewImage Lab::handle_of(View view) const {
+  const Canvas* canvas = targets_.drawn_view(view);
+  return canvas ? ui::ViewImage{canvas->texture.id(), canvas->texture.size} : ui::ViewImage{};
+}
+
+Canvas Lab::copy_of(View view) const {
+  const Canvas& from = *targets_.drawn_view(view);
+  Canvas to = make_canvas({.size = from.texture.size, .linear_filter = true, .label = "copy"});
+  const auto [w, h] = std::pair(from.texture.size.x, from.texture.size.y);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());
+  glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return to;
+}
+
+ui::Input ui_input(const Lab& lab) {
+  ui::Input input{.scene = lab.scene(),
+                  .lights = lab.targets().lights,
+                  .features = lab.device().features,
+                  .report = lab.report()};
+  for (int v = 0; v < kViewCount; ++v) input.images[v] = lab.handle_of(static_cast<View>(v));
+  return input;
+}
+
+}  // namespace gbl

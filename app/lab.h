@@ -1,0 +1,58 @@
+#pragma once
+// The renderer with its scene and targets: what window and headless commands both drive, so that they draw the same.
+#include <array>
+#include <memory>
+#include <string>
+
+#include "renderer/estimate.h"
+#include "renderer/gl/device.h"
+#include "renderer/image.h"
+#include "renderer/passes/frame.h"
+#include "renderer/validate.h"
+#include "ui/ui.h"
+
+namespace gbl {
+
+class Lab {
+ public:
+  explicit Lab(FeatureSet without);  // needs a current context
+
+  DeviceLimits limits() const { return {device_.features, device_.max_size}; }
+  const gl::Device& device() const { return device_; }
+  const Scene& scene() const { return gpu_scene_->scene(); }
+  FrameCost& cost() { return cost_; }
+
+  void open_scene(const std::string& name);  // nothing if it is open already; on an Error the old one stays
+  // Validates, opens the scene, draws up to `lit`. On an Error nothing has changed.
+  void draw(const Settings&);
+  void look_at(const Settings::View& view) { drawn_.view = view; }  // what overlays are drawn; the frame stays
+  void draw_view(View, ViewOptions = {});
+  void count_pairs(bool lit_too) { renderer_.count_pairs(drawn_, *gpu_scene_, targets_, lit_too); }
+  void start_probe(glm::ivec2 pixel);
+  std::optional<ui::PixelProbe> take_probe();
+  void collect(bool wait);
+  void reload_shaders() { renderer_.reload_shaders(); }
+
+  const Settings& drawn() const { return drawn_; }
+  const FrameReport& report() const { return report_; }
+  const Targets& targets() const { return targets_; }
+  Image image_of(View) const;  // of the view drawn last; waits for the GPU
+  ui::ViewImage handle_of(View) const;
+  Canvas copy_of(View) const;  // keeps a picture that the next draw would overwrite
+
+ private:
+  gl::Device device_;
+  FrameCost cost_;
+  Renderer renderer_;
+  std::string scene_name_;
+  std::unique_ptr<GpuScene> gpu_scene_;
+  Targets targets_;
+  Settings drawn_;
+  FrameReport report_;
+  glm::ivec2 probed_pixel_{0};
+};
+
+// What a panel reads, from what the lab has drawn.
+ui::Input ui_input(const Lab&);
+
+}  // namespace gbl

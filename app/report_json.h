@@ -1,0 +1,10 @@
+#pragma once
+// A frame's report as JSON, in the columns that studies use.
+#include "app/lab.h"
+#include "renderer/settings_json.h"
+
+namespace gbl {
+
+Json report_json(const Lab&);
+
+}  // namespace gbl

@@ -1,0 +1,97 @@
+#include <charconv>
+#include <fmt/format.h>
+#include <sstream>
+
+#include "app/commands.h"
+#include "renderer/builtin_scenes.h"
+#include "renderer/image.h"
+#include "renderer/presets.h"
+#include "renderer/settings_json.h"
+
+namespace gbl {
+namespace {
+
+// "1,2.5,-3" -> numbers; anything else is an Error.
+std::vector<double> numbers(const std::string& text, const char* where, const char* form) {
+  std::vector<double> out;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    size_t used = 0;
+    try {
+      out.push_back(std::stod(part, &used));
+    } catch (const std::exception&) {
+    }
+    if (used == 0 || used != part.size())
+      throw Error(ExitCode::bad_input, where, fmt::format("'{}' is not a number", part), fmt::format("write {}", form));
+  }
+  return out;
+}
+
+void apply_camera(Settings& s, const std::string& text) {
+  constexpr const char* kForm = "x,y,z:yaw,pitch[:fov]";
+  std::vector<std::string> parts;
+  std::istringstream split(text);
+  for (std::string part; std::getline(split, part, ':');) parts.push_back(part);
+  const auto bad = [&] {
+    return Error(ExitCode::bad_input, "--camera", fmt::format("'{}' is not a camera", text), fmt::format("write {}", kForm));
+  };
+  if (parts.size() < 2 || parts.size() > 3) throw bad();
+  const auto place = numbers(parts[0], "--camera", kForm), turn = numbers(parts[1], "--camera", kForm);
+  if (place.size() != 3 || turn.size() != 2) throw bad();
+  apply_patch(s, {{"camera.position", place}}, "--camera");
+  s.camera.orientation = orientation_from_yaw_pitch(turn[0], turn[1]);
+  s.camera.orthographic_height = 0;
+  if (parts.size() < 3) return;
+  const auto fov = numbers(parts[2], "--camera", kForm);
+  if (fov.size() != 1) throw bad();
+  apply_patch(s, {{"camera.fov", fov[0]}}, "--camera");
+}
+
+void apply_size(Settings& s, const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto x = std::from_chars(text.data(), end, width);
+  const bool cross = x.ec == std::errc() && x.ptr != end && *x.ptr == 'x';
+  const auto y = cross ? std::from_chars(x.ptr + 1, end, height) : x;
+  if (!cross || y.ec != std::errc() || y.ptr != end)
+    throw Error(ExitCode::bad_input, "--size", fmt::format("'{}' is not a size", text), "write WxH, e.g. 1280x720");
+  apply_patch(s, {{"size", {width, height}}}, "--size");
+}
+
+Settings read_state(const std::string& file) {
+  const bool png = file.size() > 4 && file.substr(file.size() - 4) == ".png";
+  if (!png) return from_json(read_json(file), file);
+  const std::string text = read_png_text(file, kSettingsKey);
+  if (text.empty()) throw Error(ExitCode::bad_input, file, "holds no settings", "give a PNG that this program wrote");
+  return from_json(parse_json(text, file), file);
+}
+
+void apply_scene(Settings& s, const std::string& name) {
+  s.scene = name;
+  const Settings plain;
+  s.camera = load_scene(name).camera;
+  const auto method = s.lights.method;
+  const auto cull = s.lights.cull;
+  const auto volume = s.lights.volume;
+  s.lights = plain.lights;  // the scene's lights; how they are drawn stays
+  s.lights.method = method, s.lights.cull = cull, s.lights.volume = volume;
+}
+
+}  // namespace
+
+Settings settings_of(const Arguments& a) {
+  Settings s = preset(a.preset.value_or("start")).make();
+  if (a.state) s = read_state(*a.state);
+  if (a.scene) apply_scene(s, *a.scene);
+  if (a.camera) apply_camera(s, *a.camera);
+  if (a.lights) apply_patch(s, {{"lights.count", *a.lights}, {"lights.source", "generated"}}, "--lights");
+  if (a.seed) s.lights.seed = *a.seed;
+  if (a.size) apply_size(s, *a.size);
+  if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time");
+  for (const std::string& assignment : a.set) apply_assignment(s, assignment);
+  return s;
+}
+
+FeatureSet without_of(const Arguments& a) { return parse_features(a.without); }
+
+}  // namespace gbl

@@ -1,0 +1,113 @@
+#include "app/viewer.h"
+
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/resources.h"
+
+namespace gbl {
+namespace {
+
+constexpr double kStillBudgetMs = 2000;   // a frame predicted longer is drawn smaller, with a banner
+constexpr double kMovingBudgetMs = 33;    // while something moves, a frame predicted longer is drawn at half size
+constexpr double kMaxLitTests = 2e8;      // pairs_lit is a loop over all lights: above this the window leaves it out
+
+// What decides the picture, without what only decides which pictures are looked at.
+Settings without_view(Settings s) {
+  s.view = {};
+  return s;
+}
+
+}  // namespace
+
+Settings Viewer::affordable(const Settings& s, bool moving) {
+  Settings out = s;
+  const std::vector<Light> lights = lights_of(s, lab_.scene());
+  const double predicted = lab_.cost().predict_ms(s, lights);
+  if (moving && predicted > kMovingBudgetMs && lab_.device().software) out.size = glm::max(s.size / 2, glm::ivec2(1));
+  const glm::ivec2 size = lab_.cost().affordable_size(out, lights, kStillBudgetMs);
+  banner_ = size == out.size ? ""
+                             : fmt::format("predicted {:.1f} s a frame: drawn at {}x{}", predicted / 1000, size.x, size.y);
+  out.size = size;
+  return out;
+}
+
+void Viewer::draw_frame(const Settings& s, bool moving) {
+  asked_ = s;
+  attempted_ = true;
+  try {
+    lab_.open_scene(s.scene);
+    lab_.draw(affordable(s, moving));
+    reduced_ = lab_.drawn().size != s.size && banner_.empty();
+    fresh_.fill(false);
+    probe_asked_.reset();
+    if (!moving) {
+      lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
+      waiting_ = true;
+    }
+    message_.clear();
+  } catch (const Error& e) {
+    message_ = e.what();
+  }
+}
+
+void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
+  const bool overlays_changed = !(s.view == view_drawn_);
+  for (int v = 0; v < kViewCount; ++v) {
+    const View view = static_cast<View>(v);
+    const bool stale = all || !fresh_[v] || (view == View::final && overlays_changed);
+    if (!requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
+    lab_.look_at(s.view);
+    lab_.draw_view(view, {.overlays = view == View::final});
+    fresh_[v] = true;
+  }
+  view_drawn_ = s.view;
+}
+
+void Viewer::reload(const Settings& s) {
+  try {
+    lab_.reload_shaders();
+    message_ = "shaders read again";
+    attempted_ = false;
+  } catch (const Error& e) {
+    message_ = e.what();  // the last good programs go on drawing
+  }
+  asked_ = s;
+}
+
+void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving) {
+  const long long stamp = shaders_stamp();
+  const bool saved = shaders_ != 0 && stamp != shaders_;
+  shaders_ = stamp;
+  if (saved || requests.reload_shaders) reload(s);
+  const bool settled = moving_ && !moving;  // a picture drawn small while moving is drawn again in full
+  moving_ = moving;
+  const bool changed = !attempted_ || !(without_view(s) == without_view(asked_)) || (settled && reduced_);
+  const std::string said = message_;
+  if (changed) draw_frame(s, moving);
+  if ((saved || requests.reload_shaders) && message_.empty()) message_ = said;
+  try {
+    draw_views(s, requests, changed);
+    if (requests.probe && requests.probe != probe_asked_) {
+      lab_.start_probe(*requests.probe);
+      probe_asked_ = requests.probe;
+    }
+  } catch (const Error& e) {
+    message_ = e.what();
+  }
+  lab_.collect(false);
+  waiting_ = waiting_ && !lab_.report().pairs;
+  if (auto p = lab_.take_probe()) probe_ = p;
+  if (!requests.probe) probe_.reset(), probe_asked_.reset();
+}
+
+ui::Input Viewer::input(double seconds) const {
+  ui::Input in = ui_input(lab_);
+  in.probe = probe_;
+  in.message = message_;
+  in.banner = banner_;
+  in.seconds = seconds;
+  return in;
+}
+
+}  // namespace gbl

@@ -1,0 +1,39 @@
+#pragma once
+// A GLFW window with a GL 3.3 core context, current while it lives, and the keys pressed in it.
+#include <glm/glm.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ui/ui.h"
+
+struct GLFWwindow;
+
+namespace gbl {
+
+class Window {
+ public:
+  Window(glm::ivec2 size, const char* title);  // Error(no_gl) without a display or a usable GL
+  ~Window();
+  Window(const Window&) = delete;
+
+  bool closing() const;
+  void wait_events(double seconds);  // returns at the first event, at latest after so long
+  glm::ivec2 framebuffer_size() const;
+  void swap();
+  GLFWwindow* handle() const { return window_; }
+
+  std::vector<ui::KeyEvent> take_keys();       // since the last call
+  const std::set<std::string>& held() const { return held_; }
+  bool saw_input();                            // any event since the last call
+
+ private:
+  static void on_key(GLFWwindow*, int key, int scancode, int action, int mods);
+  static void on_character(GLFWwindow*, unsigned codepoint);
+  GLFWwindow* window_ = nullptr;
+  std::vector<ui::KeyEvent> keys_;
+  std::set<std::string> held_;
+  bool input_ = true;
+};
+
+}  // namespace gbl

@@ -1,0 +1,34 @@
+#pragma once
+// A picture of 8-bit RGBA, rows top to bottom, and its file.
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gbl {
+
+struct Image {
+  glm::ivec2 size{0};
+  std::vector<uint8_t> rgba;
+  bool operator==(const Image&) const = default;
+};
+
+// GL's rows come bottom to top.
+Image image_from_gl_rows(glm::ivec2 size, std::vector<uint8_t> rgba);
+
+// PNG with text chunks (keyword, text), e.g. the settings that made it. Written to a temporary name and renamed;
+// Error(unfinished) if the folder cannot be written. Alpha is dropped: pictures are opaque.
+using PngText = std::vector<std::pair<std::string, std::string>>;
+void write_png(const std::filesystem::path&, const Image&, const PngText& = {});
+Image read_png(const std::filesystem::path&);                              // Error(bad_input)
+std::string read_png_text(const std::filesystem::path&, const char* key);  // "" if there is none
+
+// Text to a file by a temporary name; Error(unfinished) if it cannot be written.
+void write_text_file(const std::filesystem::path&, const std::string&);
+void make_folder(const std::filesystem::path&);  // and its parents
+
+inline constexpr const char* kSettingsKey = "gbufferlab-settings";  // of the PNG text chunk
+
+}  // namespace gbl

@@ -1,0 +1,64 @@
+#include "renderer/validate.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/options.h"
+
+namespace gbl {
+namespace {
+
+bool finite(const Json& v) {
+  if (v.is_number()) return std::isfinite(v.get<double>());
+  for (const Json& part : v)
+    if (part.is_number() && !std::isfinite(part.get<double>())) return false;
+  return true;
+}
+
+void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Problem>& out) {
+  for (const Option& o : options()) {
+    if (!finite(o.get(s))) out.push_back({ProblemId::not_finite, o.path, "is not a finite number; give one"});
+    if (o.kind != Kind::choice) continue;
+    const ValueRow& r = o.values[chosen(o, s)];
+    if (!limits.features.has(r.needs))
+      out.push_back({ProblemId::feature_missing, o.path,
+                     fmt::format("{} needs {}, which this driver lacks or --without switched off; choose another value",
+                                 r.id, kFeatures[static_cast<int>(r.needs) - 1].id)});
+  }
+}
+
+}  // namespace
+
+const char* id_of(ProblemId id) {
+  constexpr const char* kIds[] = {"not-finite",   "size-above-limit", "far-not-beyond-near",
+                                  "rig-not-read", "no-such-light",    "feature-missing"};
+  return kIds[static_cast<int>(id)];
+}
+
+std::vector<Problem> validate(const Settings& s, const DeviceLimits& limits) {
+  std::vector<Problem> out;
+  check_options(s, limits, out);
+  if (s.size.x > limits.max_size || s.size.y > limits.max_size)
+    out.push_back({ProblemId::size_above_limit, "size",
+                   fmt::format("{}x{} is above this driver's limit of {} a side; choose a smaller size", s.size.x,
+                               s.size.y, limits.max_size)});
+  if (!(s.camera.far > s.camera.near))
+    out.push_back({ProblemId::far_not_beyond_near, "camera.far",
+                   fmt::format("{:g} is not beyond camera.near {:g}; make it larger", s.camera.far, s.camera.near)});
+  if (!s.lights.rig.empty())
+    out.push_back({ProblemId::rig_not_read, "lights.rig", "is set, but lights.source does not read a rig; clear it"});
+  if (s.lights.only >= s.lights.count)
+    out.push_back({ProblemId::no_such_light, "lights.only",
+                   fmt::format("{} is not below lights.count {}; choose -1 for all", s.lights.only, s.lights.count)});
+  return out;
+}
+
+void require_valid(const Settings& s, const DeviceLimits& limits) {
+  const std::vector<Problem> problems = validate(s, limits);
+  if (problems.empty()) return;
+  const Problem& p = problems.front();
+  throw Error(ExitCode::bad_input, p.path, fmt::format("{} [{}]", p.sentence, id_of(p.id)));
+}
+
+}  // namespace gbl
