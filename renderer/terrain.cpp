@@ -182,7 +182,7 @@ Scene build_terrain() {
   scene.instances.push_back({"ground", 0, ground_material, glm::dmat4(1)});
   add_things(scene, field);
   scene.bounds = bounds_of(scene);
-  scene.camera.position = {2470, 340, 3320, 9};
+  scene.camera.position = {2470, 340, 3320};
   scene.camera.orientation = orientation_from_yaw_pitch(7, -23);
   scene.camera.near = 1;
   scene.camera.far = 10000;
