@@ -134,9 +134,9 @@ void add_materials(Scene& scene) {
   GroundTextures ground = make_ground_textures(512, 15);
   scene.textures = {std::move(ground.albedo), std::move(ground.normal), std::move(ground.wetness),
                     make_stone_albedo(256, 3), make_paint(256, 4)};
-  scene.materials = {{.name = "ground", .base_colour_texture = 0, .normal_texture = 1, .roughness_texture = 2},
-                     {.name = "stone", .roughness = 0.8f, .base_colour_texture = 3, .normal_texture = 1},
-                     {.name = "paint", .roughness = 0.55f, .base_colour_texture = 4}};
+  scene.materials = {{.name = "ground", .base_colour_texture = {0}, .normal_texture = {1}, .roughness_texture = {2}},
+                     {.name = "stone", .roughness = 0.8f, .base_colour_texture = {3}, .normal_texture = {1}},
+                     {.name = "paint", .roughness = 0.55f, .base_colour_texture = {4}}};
 }
 
 void add_things(Scene& scene, const HeightField& field) {

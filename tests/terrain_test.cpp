@@ -118,7 +118,7 @@ TEST(Terrain, EverythingIsNamedOnceAndRefersToWhatThereIs) {
     EXPECT_TRUE(std::binary_search(names.begin(), names.end(), std::string(name))) << name;
   const int count = static_cast<int>(s.textures.size());
   for (const Material& m : s.materials)
-    for (int t : {m.base_colour_texture, m.normal_texture, m.roughness_texture}) EXPECT_LT(t, count) << m.name;
+    for (const TextureUse& t : {m.base_colour_texture, m.normal_texture, m.roughness_texture}) EXPECT_LT(t.texture, count) << m.name;
   for (const Texture& t : s.textures)
     EXPECT_EQ(t.rgba.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4) << t.name;
   EXPECT_EQ(s.bounds.min, bounds_of(s).min);
@@ -160,7 +160,7 @@ TEST(Terrain, ThingsHaveTheSizesThatWereAskedFor) {
 TEST(Terrain, BumpyWallsFaceEveryWay) {
   for (const char* name : {"arch", "wall"}) {
     const Instance& i = instance(name);
-    EXPECT_NE(terrain().materials[i.material].normal_texture, kNoTexture);
+    EXPECT_NE(terrain().materials[i.material].normal_texture.texture, kNoTexture);
     const Mesh& mesh = mesh_of(i);
     for (const glm::dvec3 way : {glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 0, 1}, {0, 0, -1}}) {
       double area = 0;

@@ -11,7 +11,7 @@ namespace {
 
 // Codes as if linear: a factor is then used as the code that the sRGB curve gives it.
 glm::vec3 base_colour_of(const Material& m, Colour colour) {
-  if (colour == Colour::srgb) return m.base_colour;
+  if (colour == Colour::srgb) return glm::vec3(m.base_colour);
   glm::vec3 coded;
   for (int k = 0; k < 3; ++k) {
     const float c = m.base_colour[k];
@@ -21,9 +21,9 @@ glm::vec3 base_colour_of(const Material& m, Colour colour) {
 }
 
 void bind_material(const Frame& frame, const gl::Program& program, const Material& m) {
-  gl::bind_texture(kBaseColourUnit, frame.scene.colour_texture(m.base_colour_texture, frame.settings.colour));
-  gl::bind_texture(kNormalMapUnit, frame.scene.normal_texture(m.normal_texture));
-  gl::bind_texture(kRoughnessUnit, frame.scene.data_texture(m.roughness_texture));
+  gl::bind_texture(kBaseColourUnit, frame.scene.colour_texture(m.base_colour_texture.texture, frame.settings.colour));
+  gl::bind_texture(kNormalMapUnit, frame.scene.normal_texture(m.normal_texture.texture));
+  gl::bind_texture(kRoughnessUnit, frame.scene.data_texture(m.roughness_texture.texture));
   glUniform3fv(program.uniform("base_colour"), 1, glm::value_ptr(base_colour_of(m, frame.settings.colour)));
   glUniform1f(program.uniform("roughness"), m.roughness);
 }
