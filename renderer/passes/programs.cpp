@@ -7,11 +7,11 @@
 namespace gbl {
 namespace {
 
-struct Sampler {
+struct SamplerUnit {
   const char* name;
   Unit unit;
 };
-constexpr Sampler kSamplers[] = {
+constexpr SamplerUnit kSamplers[] = {
     {"gbuffer_material", kMaterialUnit}, {"gbuffer_normal", kNormalUnit},   {"gbuffer_depth", kDepthUnit},
     {"light_data", kLightUnit},          {"light_diffuse", kDiffuseUnit},   {"light_specular", kSpecularUnit},
     {"light_sum", kDiffuseUnit},         {"lit", kLitUnit},                 {"counts", kCountUnit},
@@ -56,7 +56,7 @@ gl::Program ProgramCache::compile(const Variant& v) {
   append_common(defines);
   gl::Program program = gl::compile_program(gl::load_shader(v.vertex, defines), gl::load_shader(v.fragment, defines));
   glUseProgram(program.id());
-  for (const Sampler& s : kSamplers) glUniform1i(program.uniform(s.name), s.unit);
+  for (const SamplerUnit& s : kSamplers) glUniform1i(program.uniform(s.name), s.unit);
   const GLuint block = glGetUniformBlockIndex(program.id(), "FrameBlock");
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), block, 0);
   return program;
