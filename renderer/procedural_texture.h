@@ -39,7 +39,7 @@ Texture normal_map(std::string name, const ScalarMap& height, double slope);
 struct GroundTextures {
   Texture albedo;  // reddish-brown earth, sRGB
   Texture normal;
-  Texture wetness;  // green = roughness: 0.18 in puddles to 0.9 on dry ground
+  Texture wetness;  // green = roughness: 0.18 in puddles to 0.9 on dry ground; blue = metal: none
 };
 GroundTextures make_ground_textures(int size, uint64_t seed);
 

@@ -118,7 +118,8 @@ TEST(Terrain, EverythingIsNamedOnceAndRefersToWhatThereIs) {
     EXPECT_TRUE(std::binary_search(names.begin(), names.end(), std::string(name))) << name;
   const int count = static_cast<int>(s.textures.size());
   for (const Material& m : s.materials)
-    for (const TextureUse& t : {m.base_colour_texture, m.normal_texture, m.roughness_texture}) EXPECT_LT(t.texture, count) << m.name;
+    for (const TextureUse& t : {m.base_colour_texture, m.normal_texture, m.roughness_texture})
+      EXPECT_LT(t.texture, count) << m.name;
   for (const Texture& t : s.textures)
     EXPECT_EQ(t.rgba.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4) << t.name;
   EXPECT_EQ(s.bounds.min, bounds_of(s).min);
