@@ -1,0 +1,89 @@
+#include "ui/captions.h"
+
+#include <fmt/format.h>
+
+namespace gbl::ui {
+namespace {
+
+bool speaks_for_itself(const Option& o) {
+  const std::string_view path = o.path;
+  return path.starts_with("camera.") || path == "time_s" || path == "view.main" || path == "size";
+}
+
+std::string with_full_stop(std::string text) {
+  if (!text.empty() && text.back() != '.') text += '.';
+  return text;
+}
+
+std::string cost_sentence(const ValueRow& before, const ValueRow& after) {
+  const std::string_view now = after.cost, was = before.cost;
+  if (now == was) return now.empty() ? "" : fmt::format(" Cost: {}, as before.", now);
+  if (now.empty()) return fmt::format(" Costs nothing extra (was {}).", was);
+  return was.empty() ? fmt::format(" Cost: {}.", now) : fmt::format(" Cost: {} (was {}).", now, was);
+}
+
+std::string number_text(double x) { return fmt::format("{:.6g}", x); }
+
+std::string json_text(const Json& v) {
+  if (v.is_string()) return v.get<std::string>();
+  if (v.is_number_integer()) return v.dump();
+  if (v.is_number()) return number_text(v.get<double>());
+  if (!v.is_array()) return v.dump();
+  std::string text = "[";
+  for (const Json& element : v) text += (text.size() > 1 ? ", " : "") + json_text(element);
+  return text + "]";
+}
+
+}  // namespace
+
+std::string capitalised(std::string_view text) {
+  std::string out(text);
+  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  return out;
+}
+
+std::string grouped(uint64_t number) {
+  std::string digits = std::to_string(number);
+  for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) digits.insert(at, " ");
+  return digits;
+}
+
+std::string value_text(const Option& o, const Settings& s) {
+  if (o.kind == Kind::choice) return o.values[chosen(o, s)].label;
+  return json_text(o.get(s));
+}
+
+Sentence describe_step(const Option& o, const Settings& before, const Settings& after) {
+  const std::string was = value_text(o, before), now = value_text(o, after);
+  if (o.kind != Kind::choice) {
+    if (was == now) return {fmt::format("{}: {} is the end of the range.", o.label, now), ""};
+    return {fmt::format("{}: {} → {}. {}", o.label, was, now, with_full_stop(capitalised(o.help))), ""};
+  }
+  const ValueRow& from = o.values[chosen(o, before)];
+  const ValueRow& to = o.values[chosen(o, after)];
+  if (from.value == to.value)
+    return {fmt::format("{}: “{}” is the only choice here. {}", o.label, to.label, with_full_stop(capitalised(to.help))), ""};
+  Sentence s{fmt::format("{}: {} → {}. {}{}", o.label, from.label, to.label, with_full_stop(capitalised(to.help)),
+                         cost_sentence(from, to)),
+             ""};
+  if (!in_use(o, after)) s.text += fmt::format(" No effect while the method is {}: it draws no volumes.", row(after.lights.method).label);
+  else s.pitfall = to.pitfall;
+  return s;
+}
+
+Sentence describe_change(const Settings& before, const Settings& after) {
+  const Option* only = nullptr;
+  std::string labels;
+  int changed = 0;
+  for (const Option& o : options()) {
+    if (speaks_for_itself(o) || o.get(before) == o.get(after)) continue;
+    only = &o;
+    ++changed;
+    labels += fmt::format("{}{}", changed > 1 ? ", " : "", o.label);
+  }
+  if (changed == 0) return {};
+  if (changed == 1) return describe_step(*only, before, after);
+  return {fmt::format("{} settings changed: {}.", changed, labels), ""};
+}
+
+}  // namespace gbl::ui

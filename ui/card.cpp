@@ -1,0 +1,61 @@
+// H: what a buffer is. One row of the views table, the attachment it reads, and the usual mistake.
+#include <fmt/format.h>
+
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+// "what, how": the channels of the attachment that the view reads.
+std::string stored_text(View v, const Settings& s) {
+  const std::string why = why_missing(v, s);
+  if (!why.empty()) return "not stored: " + why;
+  std::string text = stored_as(v, s);
+  for (const Attachment& a : attachments(s))
+    if (text.starts_with(std::string(a.name) + " ")) text += fmt::format(" ({})", a.contents);
+  return text;
+}
+
+const char* pass_name(Pass p) {
+  constexpr const char* kNames[] = {"geometry pass (Fill)", "lighting pass (Light)", "combine pass (Combine)", "display transform (Show)"};
+  return kNames[static_cast<int>(p)];
+}
+
+}  // namespace
+
+// Where it hides something else than the picture that it explains.
+Box card_box(const Frame& f) {
+  if (f.state.large) return f.layout.column;
+  const std::optional<Box>& panel = f.layout.panels[static_cast<size_t>(f.state.card.value_or(View::final))];
+  const Box& canvas = f.layout.canvas;
+  const float middle = f.layout.main_box().max.x, bottom = f.layout.main_box().max.y;
+  const bool left = panel && panel->min.x >= middle;
+  return left ? Box{canvas.min, {middle, bottom}} : Box{{middle, canvas.min.y}, {canvas.max.x, bottom}};
+}
+
+void draw_card(Frame& f) {
+  if (!f.state.card || f.state.help || f.state.options_page) return;
+  const ViewRow& v = row(*f.state.card);
+  const Box box = card_box(f), room = box.inset(std::round(16 * f.layout.unit));
+  begin_overlay("card", box, kSurface);
+  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
+  p.fill({box.min, {box.max.x, box.min.y + 4}}, pass_colour(v.written_by));
+  const float head = line_height(f.type.large);
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, fmt::format("{}{}{}", v.key, *v.key ? "  " : "", v.label));
+  const std::vector<Field> fields{{"what", v.sentence, kText},
+                                  {"space", v.space, kText},
+                                  {"unit", v.unit, kText},
+                                  {"range", v.range, kText},
+                                  {"stored", stored_text(v.view, f.settings), kText},
+                                  {"written by", pass_name(v.written_by), pass_colour(v.written_by)},
+                                  {"read by", v.read_by, kText},
+                                  {"decode", v.decode, kText},
+                                  {"in sources", v.in_sources, kText},
+                                  {"mistake", v.mistake, kUnsound}};
+  const float foot = line_height(f.type.small);
+  draw_fields(p, {{room.min.x, room.min.y + head * 1.2f}, {room.max.x, room.max.y - foot}}, fields, f.type.body);
+  p.text_in({{room.min.x, room.max.y - foot}, room.max}, f.type.small, kDim, "H or Esc closes");
+  end_overlay();
+}
+
+}  // namespace gbl::ui

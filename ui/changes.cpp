@@ -1,0 +1,138 @@
+// What keys and widgets do to the settings, each with its caption; what cannot be done becomes a notice.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/presets.h"
+#include "renderer/validate.h"
+#include "ui/camera_motion.h"
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+// 0, 1, 2, 4, …, the maximum: from any number to its neighbour in that row.
+int next_power(int n, int step, int max) {
+  if (step > 0) {
+    int p = 1;
+    while (p <= n) p *= 2;
+    return n == 0 ? std::min(1, max) : std::min(p, max);
+  }
+  if (n <= 1) return 0;
+  int p = 1;
+  while (p * 2 < n) p *= 2;
+  return p;
+}
+
+// Shared by all ways to change settings: all or nothing, and an Error is shown, never thrown into the window.
+bool try_change(Frame& f, const std::function<void(Settings&)>& change) {
+  Settings changed = f.settings;
+  try {
+    change(changed);
+    if (changed.lights.only >= changed.lights.count && f.settings.lights.only >= 0) changed.lights.only = -1;  // it is gone
+    require_valid(changed, {f.input.features});
+  } catch (const Error& e) {
+    f.state.notice = e.what();
+    return false;
+  }
+  f.settings = std::move(changed);
+  return true;
+}
+
+}  // namespace
+
+void say(Frame& f, Sentence sentence) {
+  f.state.caption = Caption{std::move(sentence), f.input.seconds + kCaptionSeconds};
+}
+
+void edit(Frame& f, const std::function<void(Settings&)>& change) {
+  const Settings before = f.settings;
+  if (!try_change(f, change)) return;
+  Sentence sentence = describe_change(before, f.settings);
+  if (!sentence.text.empty()) say(f, std::move(sentence));
+}
+
+void edit_option(Frame& f, const Option& o, const Json& value) {
+  const Settings before = f.settings;
+  if (!try_change(f, [&](Settings& s) { o.set(s, value, o); })) return;
+  if (o.get(before) != o.get(f.settings)) say(f, describe_step(o, before, f.settings));
+}
+
+void step_option(Frame& f, const Option& o, int step) {
+  const Settings before = f.settings;
+  const bool done = try_change(f, [&](Settings& s) {
+    if (o.kind == Kind::choice) cycle(o, s, step, f.input.features);
+    else if (o.kind == Kind::integer) o.set(s, next_power(o.get(s).get<int>(), step, static_cast<int>(o.max)), o);
+  });
+  if (done) say(f, describe_step(o, before, f.settings));
+}
+
+void choose_preset(Frame& f, int index) {
+  const int n = static_cast<int>(presets().size());
+  const Preset& chosen = presets()[(index + n) % n];
+  const glm::ivec2 size = f.settings.size;  // the window's, not the preset's
+  if (!try_change(f, [&](Settings& s) {
+        s = chosen.make();
+        s.size = size;
+      }))
+    return;
+  f.state.glide.reset();
+  f.state.before_glide.reset();
+  f.state.show_distance = f.state.playing = false;
+  say(f, {fmt::format("Preset: {}. {}.", chosen.label, capitalised(chosen.help)), ""});
+}
+
+void show_view(Frame& f, View v) {
+  const bool again = f.state.large && f.chosen() == v;
+  f.settings.view.main = row(v).id;
+  f.state.large = !again;
+  if (f.state.card) f.state.card = v;
+}
+
+void open_lesson(State& state, Settings& settings, Lesson lesson) {
+  state.lesson = LessonRun{std::move(lesson)};
+  state.chooser.reset();
+  state.card.reset();
+  state.options_page.reset();
+  state.help = false;
+  show_step(state, settings, 0);
+}
+
+void show_step(State& state, Settings& settings, size_t step) {
+  LessonRun& run = *state.lesson;
+  const glm::ivec2 size = settings.size;
+  std::string main = "final";  // a step without a view keeps the one before: still a function of the file alone
+  for (size_t i = 0; i <= step; ++i)
+    if (!run.lesson.steps[i].view.empty()) main = run.lesson.steps[i].view;
+  settings = settings_at(run.lesson, step);
+  settings.size = size;
+  settings.view.main = main;
+  run.step = step;
+  run.revealed = false;
+  state.large = run.lesson.steps[step].large;
+  state.playing = state.show_distance = false;
+  state.glide.reset();
+  state.before_glide.reset();
+  state.caption.reset();
+}
+
+void advance_motion(Frame& f) {
+  State& s = f.state;
+  // A slow frame must not throw the camera across the scene: a step is a quarter of a second at most.
+  const double dt = s.last_seconds < 0 ? 0 : std::clamp(f.input.seconds - s.last_seconds, 0.0, 0.25);
+  s.last_seconds = f.input.seconds;
+  if (s.playing) f.settings.time_s += dt;
+  const bool typed = s.options_page || s.go_to || s.edited || ImGui::GetIO().WantTextInput;
+  const Motion motion = typed ? Motion{} : motion_of(f.input.held);
+  s.camera_key = motion.any();
+  if (s.camera_key) {
+    s.glide.reset();
+    f.settings.camera = moved(f.settings.camera, motion, speed_in(f.input.scene.bounds) * dt);
+  }
+  if (!s.glide) return;
+  const double t = (f.input.seconds - s.glide->start) / kGlideSeconds;
+  f.settings.camera = between(s.glide->from, s.glide->to, std::clamp(t, 0.0, 1.0));
+  if (t >= 1) s.glide.reset();
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,163 @@
+#include "ui/commands.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "renderer/presets.h"
+#include "ui/camera_motion.h"
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+constexpr float kScaleStep = 1.1f, kSmallestScale = 0.7f, kLargestScale = 2;
+
+std::string light_sentence(const Frame& f, int index, const Light& light) {
+  const double distance = distance_in_ranges(f.settings.camera, light);
+  return fmt::format("Light {}: {} units up, range {:.0f}; the camera is {} its range, d/r {:.2f}.", index,
+                     static_cast<int>(light.position.y), light.range, distance < 1 ? "inside" : "outside", distance);
+}
+
+int light_total(const Frame& f) {
+  const Settings::Lights& l = f.settings.lights;
+  return l.first >= 0 ? std::min(l.first, l.count) : l.count;
+}
+
+// The light of that index of these settings, even while another one is alone.
+std::optional<Light> light_at(const Frame& f, int index) {
+  Settings all = f.settings;
+  all.lights.only = -1;
+  const std::vector<Light> lights = lights_of(all, f.input.scene);
+  if (index < 0 || index >= static_cast<int>(lights.size())) return {};
+  return lights[index];
+}
+
+}  // namespace
+
+void show_all(Frame& f, const KeyEvent&) { f.state.large = false; }
+
+void next_preset(Frame& f, const KeyEvent& e) {
+  const Preset* now = preset_of(f.settings);
+  const int index = now ? static_cast<int>(now - presets().data()) : -1;
+  if (!now && e.shift) return choose_preset(f, -1);
+  choose_preset(f, index + (e.shift ? -1 : 1));
+}
+
+void go_home(Frame& f, const KeyEvent&) {
+  State& s = f.state;
+  f.settings = s.initial;
+  s.large = s.initial.view.main != "final";
+  s.playing = s.show_distance = s.help = s.hidden = false;
+  s.glide.reset();
+  s.before_glide.reset();
+  s.held_pixel.reset();
+  s.lesson.reset();
+  s.card.reset();
+  say(f, {"Home: everything is as it was loaded.", ""});
+}
+
+void glide(Frame& f, const KeyEvent&) {
+  State& s = f.state;
+  const std::optional<Light> light = light_at(f, f.settings.view.pick);
+  if (!light) return say(f, {fmt::format("There is no light {} to glide into.", f.settings.view.pick), ""});
+  const Camera from = f.settings.camera;
+  if (s.before_glide) {
+    s.glide = Glide{from, *s.before_glide, f.input.seconds};
+    s.before_glide.reset();
+  } else {
+    s.glide = Glide{from, inside(from, *light), f.input.seconds};
+    s.before_glide = from;
+  }
+  s.show_distance = true;
+}
+
+void solo_light(Frame& f, const KeyEvent&) {
+  const int pick = f.settings.view.pick;
+  const bool alone = f.settings.lights.only >= 0;
+  if (!alone && pick >= light_total(f)) return say(f, {fmt::format("There is no light {} to show alone.", pick), ""});
+  f.settings.lights.only = alone ? -1 : pick;
+  say(f, {alone ? "All lights again." : fmt::format("Light {} alone.", pick), ""});
+}
+
+void pick_light(Frame& f, const KeyEvent& e) {
+  const int n = light_total(f);
+  if (n == 0) return say(f, {"There are no lights to pick from.", ""});
+  const int step = e.key == "," ? -1 : 1;
+  const int pick = (std::min(f.settings.view.pick, n - 1) + step + n) % n;
+  f.settings.view.pick = pick;
+  f.state.before_glide.reset();  // the next I glides into this one
+  if (f.settings.lights.only >= 0) f.settings.lights.only = pick;  // alone stays alone
+  if (const std::optional<Light> light = light_at(f, pick)) say(f, {light_sentence(f, pick, *light), ""});
+}
+
+void toggle_time(Frame& f, const KeyEvent&) {
+  f.state.playing = !f.state.playing;
+  say(f, {f.state.playing ? "The lights move: time runs." : fmt::format("Paused at t = {:.2f} s.", f.settings.time_s), ""});
+}
+
+void toggle_help(Frame& f, const KeyEvent&) { f.state.help = !f.state.help; }
+void toggle_hidden(Frame& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
+void reload_shaders(Frame& f, const KeyEvent&) { f.requests.reload_shaders = true; }
+void save_figure(Frame& f, const KeyEvent&) { f.requests.save_figure = true; }
+
+void toggle_card(Frame& f, const KeyEvent&) {
+  if (f.state.card) f.state.card.reset();
+  else f.state.card = f.state.hovered.value_or(f.chosen());
+}
+
+void toggle_options(Frame& f, const KeyEvent& e) {
+  std::optional<int>& page = f.state.options_page;
+  const int next = page ? *page + (e.shift ? -1 : 1) : 0;
+  if (next < 0 || next >= option_pages()) page.reset();
+  else page = next;
+}
+
+void toggle_navigation(Frame& f, const KeyEvent&) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigFlags ^= ImGuiConfigFlags_NavEnableKeyboard;
+  const bool on = io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard;
+  say(f, {on ? "Panel keys: Tab and arrows walk, Space presses, Esc leaves." : "Panel keys off.", ""});
+}
+
+void scale_type(Frame& f, const KeyEvent& e) {
+  float& scale = f.state.ui_scale;
+  scale = std::clamp(scale * (e.key == "+" ? kScaleStep : 1 / kScaleStep), kSmallestScale, kLargestScale);
+  if (std::abs(scale - 1) < 0.01f) scale = 1;  // three up and three down is where we began
+  say(f, {fmt::format("Type at {:.0f} %.", scale * 100), ""});
+}
+
+void nudge_pixel(Frame& f, const KeyEvent& e) {
+  const glm::ivec2 size = f.frame_size();
+  glm::ivec2 pixel = f.state.held_pixel.value_or(f.state.hovered_pixel.value_or(size / 2));
+  const int by = e.shift ? 10 : 1;
+  if (e.key == "Left") pixel.x -= by;
+  if (e.key == "Right") pixel.x += by;
+  if (e.key == "Up") pixel.y -= by;
+  if (e.key == "Down") pixel.y += by;
+  f.state.held_pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
+}
+
+void open_go_to(Frame& f, const KeyEvent&) {
+  f.state.go_to = f.state.focus_go_to = true;
+  f.state.go_to_pixel = f.state.held_pixel.value_or(f.frame_size() / 2);
+}
+
+void stop_typing(Frame& f) {
+  f.state.go_to = false;
+  f.state.edited = nullptr;
+}
+
+void close_top(Frame& f, const KeyEvent&) {
+  State& s = f.state;
+  ImGuiIO& io = ImGui::GetIO();
+  if (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  else if (s.chooser) s.chooser.reset();
+  else if (s.options_page) s.options_page.reset();
+  else if (s.help) s.help = false;
+  else if (s.card) s.card.reset();
+  else if (s.held_pixel) s.held_pixel.reset();
+  else if (s.lesson) s.lesson.reset();
+  else s.hidden = false;
+}
+
+}  // namespace gbl::ui

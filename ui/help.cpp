@@ -1,0 +1,89 @@
+// F1: every key, from the rows that the dispatch reads.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+// Key names as caps: "Left Right" -> ← →.
+std::vector<std::string> caps_of(std::string_view key) {
+  constexpr std::pair<std::string_view, std::string_view> kArrows[] = {{"Left", "←"}, {"Right", "→"}, {"Up", "↑"}, {"Down", "↓"}};
+  std::vector<std::string> caps;
+  while (!key.empty()) {
+    const size_t space = std::min(key.find(' '), key.size());
+    std::string_view cap = key.substr(0, space);
+    for (const auto& [name, arrow] : kArrows)
+      if (cap == name) cap = arrow;
+    caps.emplace_back(cap);
+    key.remove_prefix(std::min(space + 1, key.size()));
+  }
+  return caps;
+}
+
+float caps_width(const std::vector<std::string>& caps, float px) {
+  float width = 0;
+  for (const std::string& c : caps) width += key_cap_width(c, px) + 3;
+  return width;
+}
+
+struct Columns {
+  float px, keys, text, gap;
+  float height(const KeyRow& r) const { return std::max(line_height(px), text_size(r.help, px, text).y) + gap; }
+};
+
+constexpr int kColumns = 3;
+
+Columns columns_at(float px, const std::vector<KeyRow>& rows, float width) {
+  Columns c{px, 0, 0, std::round(px * 0.5f)};
+  for (const KeyRow& r : rows) c.keys = std::max(c.keys, caps_width(caps_of(r.key), px));
+  c.text = width / kColumns - c.keys - 2.5f * px;
+  return c;
+}
+
+// How many rows stand in each column when none is higher than `most`; empty if they do not fit.
+std::vector<size_t> split(const std::vector<KeyRow>& rows, const Columns& c, float most) {
+  std::vector<size_t> ends;
+  float y = 0;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (y + c.height(rows[i]) > most) {
+      ends.push_back(i);
+      y = 0;
+    }
+    y += c.height(rows[i]);
+  }
+  ends.push_back(rows.size());
+  return ends.size() <= kColumns ? ends : std::vector<size_t>{};
+}
+
+}  // namespace
+
+void draw_help(Frame& f) {
+  if (!f.state.help) return;
+  const Box box{f.layout.canvas.min, {f.layout.canvas.max.x, f.layout.status.min.y}};
+  const Box room = box.inset(std::round(24 * f.layout.unit));
+  begin_overlay("help", box, kBackground);
+  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
+  const float head = line_height(f.type.large) * 1.4f;
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, "Keys   (F1 or Esc closes; Shift with a letter goes backwards)");
+  const std::vector<KeyRow> rows = key_rows();
+  const float height = room.height() - head;
+  Columns c = columns_at(f.type.body, rows, room.width());
+  while (split(rows, c, height).empty() && c.px > kSmallestPx) c = columns_at(c.px - 1, rows, room.width());
+  const std::vector<size_t> ends = split(rows, c, height);
+  if (ends.empty()) f.state.cut_texts.emplace_back("the list of keys");
+  size_t i = 0;
+  for (size_t column = 0; column < ends.size(); ++column) {
+    ImVec2 at{room.min.x + static_cast<float>(column) * room.width() / kColumns, room.min.y + head};
+    for (; i < ends[column]; ++i) {
+      float x = at.x;
+      for (const std::string& cap : caps_of(rows[i].key)) x += p.key_cap({x, at.y}, c.px, cap) + 3;
+      p.text({at.x + c.keys + c.px, at.y}, c.px, kText, rows[i].help, c.text);
+      at.y += c.height(rows[i]);
+    }
+  }
+  end_overlay();
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,26 @@
+#pragma once
+// The keyboard as one table: an option's key stands in its row of the options table, a view's in its row of the
+// views table, everything else is a command here. F1, `list keys` and the dispatch read the same rows.
+#include <string_view>
+#include <vector>
+
+#include "ui/ui.h"
+
+namespace gbl::ui {
+
+struct Frame;
+
+struct Command {
+  const char* key;  // as printed: "Home", ", .", "Shift , .", "Ctrl+G"
+  const char* id;
+  const char* help;
+  void (*run)(Frame&, const KeyEvent&);  // null: acts while held
+  bool repeats = false;                  // also when the keyboard repeats the key
+};
+
+void dispatch(Frame&, const KeyEvent&);
+
+// Presses that a row answers to, e.g. "[ ]" -> "[" and "]"; what scripts and tests send.
+std::vector<KeyEvent> presses_of(const KeyRow&);
+
+}  // namespace gbl::ui

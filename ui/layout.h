@@ -1,0 +1,30 @@
+#pragma once
+// Where everything stands. The first screen is a table of rectangles at 1600×900; other windows scale it, pictures
+// stay 16:9, and height that is left over goes to the strip and the control column.
+#include <array>
+#include <optional>
+
+#include "renderer/views.h"
+#include "ui/text.h"
+
+namespace gbl::ui {
+
+struct LayoutInput {
+  ImVec2 display;
+  View chosen = View::final;
+  bool large = false;       // the chosen view alone
+  bool hidden = false;      // pictures only
+  float status_height = 25;
+};
+
+struct Layout {
+  float unit = 1;  // screen pixels per pixel of the 1600×900 design
+  std::array<std::optional<Box>, kViewCount> panels;  // by View; empty = not on screen
+  View main = View::final;
+  Box canvas, strip, column, status;
+  const Box& main_box() const { return *panels[static_cast<size_t>(main)]; }
+};
+
+Layout make_layout(const LayoutInput&);
+
+}  // namespace gbl::ui

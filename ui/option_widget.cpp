@@ -1,0 +1,57 @@
+// A choice as a combo: the same rows, marks and reasons wherever it stands.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+std::string reason_missing(const ValueRow& r) {
+  const FeatureRow& feature = kFeatures[static_cast<int>(r.needs) - 1];
+  return fmt::format("needs {}, which is not available here ({})", feature.id, feature.used_for);
+}
+
+void draw_value(Frame& f, const Option& o, const ValueRow& r, bool selected) {
+  const bool available = f.input.features.has(r.needs);
+  std::string text = r.sound() ? r.label : fmt::format("{} {}", kUnsoundSign, r.label);
+  if (*r.cost) text += fmt::format("   {}", r.cost);
+  if (!r.sound()) text += fmt::format("   unsound: {}", r.pitfall);
+  if (!available) text += "   " + reason_missing(r);
+  ImGui::PushStyleColor(ImGuiCol_Text, r.sound() ? kText : kUnsound);
+  if (ImGui::Selectable(text.c_str(), selected, available ? 0 : ImGuiSelectableFlags_Disabled)) edit_option(f, o, r.id);
+  ImGui::PopStyleColor();
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(f.type.body * 26);
+  ImGui::TextUnformatted(r.help);
+  if (*r.source) ImGui::TextDisabled("%s", r.source);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+std::string sound_mark(const Option& o, const Settings& s) {
+  if (o.kind != Kind::choice || o.group != Group::method || !in_use(o, s)) return {};
+  const ValueRow& r = o.values[chosen(o, s)];
+  return r.sound() ? "" : fmt::format("{} unsound: {}", kUnsoundSign, r.pitfall);
+}
+
+void draw_choice(Frame& f, const Option& o, const Box& box, float px) {
+  const ValueRow& now = o.values[chosen(o, f.settings)];
+  const float arrow = box.height(), pad = std::round(px * 0.5f);
+  px = f.painter.fit(now.label, {box.width() - arrow - 2 * pad, box.height()}, px, false);
+  const FontScope font(px);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, std::floor((box.height() - px) / 2)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+  ImGui::SetCursorScreenPos(box.min);
+  ImGui::SetNextItemWidth(box.width());
+  if (ImGui::BeginCombo(fmt::format("##{}", o.path).c_str(), now.label, ImGuiComboFlags_HeightLargest)) {
+    for (const ValueRow& r : o.values) draw_value(f, o, r, r.value == now.value);
+    ImGui::EndCombo();
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,153 @@
+// O: every option, a page at a time, each with the key or the letter that reaches it. Choices cycle; numbers and
+// texts are typed, Enter applies.
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <fmt/format.h>
+
+#include "ui/commands.h"
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+constexpr size_t kPageRows = 22;
+
+struct Page {
+  std::string title;
+  std::vector<const Option*> options;
+};
+
+// How it is drawn comes first: that is what a lecture turns. A longer group is split evenly.
+std::vector<Page> make_pages() {
+  std::vector<Page> pages;
+  const auto add = [&](std::string title, std::initializer_list<Group> groups) {
+    std::vector<const Option*> all;
+    for (const Group g : groups)
+      for (const Option& o : options())
+        if (o.group == g) all.push_back(&o);
+    const size_t n = (all.size() + kPageRows - 1) / kPageRows;
+    for (size_t i = 0; i < n; ++i)
+      pages.push_back({n > 1 ? fmt::format("{} ({}/{})", title, i + 1, n) : title,
+                       {all.begin() + static_cast<long>(all.size() * i / n), all.begin() + static_cast<long>(all.size() * (i + 1) / n)}});
+  };
+  add("How it is drawn", {Group::method, Group::view});
+  add("What is true", {Group::truth});
+  return pages;
+}
+
+const std::vector<Page>& pages() {
+  static const std::vector<Page> kPages = make_pages();  // of a constant table
+  return kPages;
+}
+
+// The field shows fewer digits than are stored: the exact value stays unless the text is changed.
+void apply_text(Frame& f, const Option& o, const std::string& text) {
+  if (text == value_text(o, f.settings)) return;
+  Json value = o.kind == Kind::text ? Json() : Json::parse(text, nullptr, false);
+  if (o.kind == Kind::text || value.is_discarded()) value = text;
+  edit_option(f, o, value);
+}
+
+void draw_field(Frame& f, const Option& o, const Box& box, float px) {
+  const std::string text = value_text(o, f.settings);
+  char buffer[256] = {};
+  std::memcpy(buffer, text.data(), std::min(text.size(), sizeof buffer - 1));
+  const float pad = std::round(px * 0.4f);
+  const FontScope font(f.painter.fit(text, {box.width() - 2 * pad, box.height()}, px, false));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, std::floor((box.height() - ImGui::GetFontSize()) / 2)});
+  ImGui::SetCursorScreenPos(box.min);
+  ImGui::SetNextItemWidth(box.width());
+  const bool mine = f.state.edited == &o;
+  if (mine && f.state.focus_edited) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputText(fmt::format("##{}", o.path).c_str(), buffer, sizeof buffer,
+                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (mine && ImGui::IsItemDeactivated()) f.state.edited = nullptr;
+  if (mine && ImGui::IsItemActive()) f.state.focus_edited = false;
+  ImGui::PopStyleVar();
+  if (entered) {
+    f.state.edited = nullptr;
+    apply_text(f, o, buffer);
+  }
+}
+
+struct Rows {
+  float px, height, key, label;
+};
+
+void draw_row(Frame& f, Painter& p, const Box& row, const std::vector<const Option*>& page, const Option& o, const Rows& z) {
+  const std::string key = *o.key ? o.key : option_letter(page, o);
+  const float top = row.min.y + (row.height() - line_height(z.px)) / 2;
+  p.key_cap({row.min.x, top}, z.px, key);
+  p.text_in({{row.min.x + z.key, top}, {row.min.x + z.key + z.label, row.max.y}}, z.px, kText, o.label);
+  const Box widget{{row.min.x + z.key + z.label, row.min.y}, row.max};
+  if (o.kind != Kind::choice) return draw_field(f, o, widget, z.px);
+  const bool unsound = !sound_mark(o, f.settings).empty();
+  const float sign = text_size(kUnsoundSign, z.px).x * 1.2f;
+  if (unsound) p.text({widget.max.x - sign, top}, z.px, kUnsound, kUnsoundSign);
+  draw_choice(f, o, {widget.min, {widget.max.x - sign, widget.max.y}}, z.px);
+}
+
+}  // namespace
+
+int option_pages() { return static_cast<int>(pages().size()); }
+std::vector<const Option*> options_on_page(int page) { return pages()[static_cast<size_t>(page)].options; }
+
+std::string option_letter(const std::vector<const Option*>& page, const Option& wanted) {
+  std::string taken = "O";
+  for (const Option* o : page) taken += o->key;
+  char letter = 'A' - 1;
+  for (const Option* o : page) {
+    if (*o->key) continue;
+    do ++letter;
+    while (taken.find(letter) != std::string::npos);
+    if (o == &wanted && letter <= 'Z') return {letter};
+  }
+  return "";
+}
+
+bool press_in_options(Frame& f, const KeyEvent& e) {
+  if (e.ctrl || e.key.size() != 1 || e.repeat) return false;
+  const std::vector<const Option*> page = options_on_page(*f.state.options_page);
+  for (const Option* o : page) {
+    if (*o->key || option_letter(page, *o)[0] != std::toupper(static_cast<unsigned char>(e.key[0]))) continue;
+    if (o->kind == Kind::choice) {
+      step_option(f, *o, e.shift ? -1 : 1);
+    } else {
+      f.state.edited = o;
+      f.state.focus_edited = true;
+    }
+    return true;
+  }
+  return false;
+}
+
+Box options_box(const Frame& f) {
+  const Box& canvas = f.layout.canvas;
+  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;  // large type needs the place of four pictures
+  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
+}
+
+void draw_options_panel(Frame& f) {
+  if (!f.state.options_page) return;
+  const Page& page = pages()[static_cast<size_t>(*f.state.options_page)];
+  const Box box = options_box(f), room = box.inset(std::round(12 * f.layout.unit));
+  begin_overlay("options", box, kBackground);
+  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
+  const float head = line_height(f.type.large), hints = 3 * line_height(f.type.small);
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, page.title);
+  const float row = std::min(f.type.body * 2, (room.height() - head - hints) / static_cast<float>(page.options.size()));
+  const float px = std::max(kSmallestPx, std::floor(std::min(f.type.body, row * 0.62f)));
+  const Rows z{px, row, 2 * key_cap_width("[ ]", px) - px, room.width() * 0.36f};
+  float y = room.min.y + head;
+  for (const Option* o : page.options) {
+    draw_row(f, p, {{room.min.x, std::round(y)}, {room.max.x, std::round(y + row) - 3}}, page.options, *o, z);
+    y += row;
+  }
+  const std::string hint = fmt::format("A letter cycles (Shift: backwards) or opens the field; Enter applies.\nO: page {} of {}, Esc closes.",
+                                       *f.state.options_page + 1, option_pages());
+  p.text_in({{room.min.x, room.max.y - hints}, room.max}, f.type.small, kDim, hint, true);
+  end_overlay();
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,121 @@
+// The panels with the pictures: which are on screen, what the mouse does to them, and the texts over the large one.
+#include <fmt/format.h>
+
+#include "ui/camera_motion.h"
+#include "ui/state.h"
+#include "ui/view_panel.h"
+
+namespace gbl::ui {
+namespace {
+
+// An overlay is opaque: what is wholly below one need not be drawn at all.
+bool covered(const Frame& f, const Box& panel) {
+  if (f.state.help) return true;
+  if (f.state.options_page && options_box(f).contains(panel)) return true;
+  return f.state.card && card_box(f).contains(panel);
+}
+
+void hover(Frame& f, View v, const Box& picture) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const glm::dvec2 inside((mouse.x - picture.min.x) / picture.width(), (mouse.y - picture.min.y) / picture.height());
+  if (inside.x < 0 || inside.y < 0 || inside.x >= 1 || inside.y >= 1) return;
+  f.state.hovered = v;
+  f.state.hovered_pixel = glm::ivec2(inside * glm::dvec2(f.frame_size()));
+}
+
+// Click: the chosen view. Double click: alone, or all again. Right click: hold the pixel, or let it go.
+// Drag on the large picture: look around.
+void use_mouse(Frame& f, View v, const Box& panel, const Box& picture) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetCursorScreenPos(panel.min);
+  const bool clicked = ImGui::InvisibleButton(row(v).id, panel.size());
+  const bool dragged = io.MouseDragMaxDistanceSqr[0] > 9;
+  if (clicked && !dragged) f.settings.view.main = row(v).id;
+  if (ImGui::IsItemHovered()) {
+    hover(f, v, picture);
+    if (ImGui::IsMouseDoubleClicked(0)) f.state.large = !f.state.large;
+    if (ImGui::IsMouseClicked(1)) {
+      if (f.state.held_pixel == f.state.hovered_pixel) f.state.held_pixel.reset();
+      else f.state.held_pixel = f.state.hovered_pixel;
+    }
+  }
+  if (v == f.layout.main && ImGui::IsItemActive() && dragged && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
+    f.state.glide.reset();
+    f.settings.camera = turned(f.settings.camera, {io.MouseDelta.x, io.MouseDelta.y}, picture.height());
+  }
+}
+
+// The same pixel in every picture: small, dark and light, so that it shows on both.
+void mark_pixel(Frame& f, const Box& picture, glm::ivec2 pixel) {
+  const glm::vec2 at = (glm::vec2(pixel) + 0.5f) / glm::vec2(f.frame_size());
+  const ImVec2 c{picture.min.x + at.x * picture.width(), picture.min.y + at.y * picture.height()};
+  const float far = 8 * f.layout.unit, near = 3 * f.layout.unit;
+  for (const auto& [colour, width] : {std::pair(IM_COL32(0, 0, 0, 255), 3.0f), std::pair(kText, 1.0f)})
+    for (const float sign : {-1.0f, 1.0f}) {
+      f.painter.list().AddLine({c.x + sign * near, c.y}, {c.x + sign * far, c.y}, colour, width);
+      f.painter.list().AddLine({c.x, c.y + sign * near}, {c.x, c.y + sign * far}, colour, width);
+    }
+}
+
+// A line with a dark backing, its lower left corner at `at`; returns its height.
+float backed_line(Frame& f, ImVec2 at, float width, ImU32 colour, float px, std::string_view text) {
+  const float pad = std::round(px * 0.4f);
+  px = f.painter.fit(text, {width - 2 * pad, px * 8}, px, true);
+  const ImVec2 size = text_size(text, px, width - 2 * pad);
+  f.painter.fill({{at.x, at.y - size.y - 2 * pad}, {at.x + size.x + 2 * pad, at.y}}, kBacking);
+  f.painter.text({at.x + pad, at.y - size.y - pad}, px, colour, text, width - 2 * pad);
+  return size.y + 2 * pad;
+}
+
+// Over the large picture: d/r while and after gliding, the caption where the strip is taken, the app's banner.
+void draw_texts_on_main(Frame& f, const Box& panel) {
+  ImVec2 at{panel.min.x + 4, panel.max.y - 4};
+  const std::optional<Light> light = picked_light(f.settings, f.input.lights);
+  if (f.state.show_distance && light) {
+    const double distance = distance_in_ranges(f.settings.camera, *light);
+    at.y -= backed_line(f, at, panel.width() - 8, kAccent, f.type.large,
+                        fmt::format("light {}   d/r {:.2f}   {}", f.settings.view.pick, distance,
+                                    distance < 1 ? "the camera is inside" : "the camera is outside")) + 4;
+  }
+  if (f.state.lesson && f.state.caption)
+    at.y -= backed_line(f, at, panel.width() - 8, kText, f.type.body, f.state.caption->sentence.whole()) + 4;
+  if (!f.input.banner.empty()) backed_line(f, at, panel.width() - 8, kAccent, f.type.body, f.input.banner);
+}
+
+void draw_panel(Frame& f, View v, const Box& panel) {
+  const ViewImage& image = f.input.images[static_cast<size_t>(v)];
+  f.requests.visible[static_cast<size_t>(v)] = why_missing(v, f.settings).empty();
+  PanelLook look;
+  look.px = v == f.layout.main ? f.type.body : f.type.small;
+  look.words = !f.state.hidden;
+  look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
+  draw_view_panel(f.painter, panel, v, image, f.settings, f.input.scene.bounds, look);
+  if (f.state.hidden || (f.state.hovered == v && !f.state.held_pixel)) return;
+  const std::optional<glm::ivec2> pixel = f.state.held_pixel ? f.state.held_pixel : f.state.hovered_pixel;
+  if (pixel) mark_pixel(f, picture_box(panel, image.size), *pixel);
+}
+
+template <class Do>
+void for_each_panel(Frame& f, Do what) {
+  for (int i = 0; i < kViewCount; ++i) {
+    const std::optional<Box>& panel = f.layout.panels[static_cast<size_t>(i)];
+    if (panel && !covered(f, *panel)) what(static_cast<View>(i), *panel);
+  }
+}
+
+}  // namespace
+
+void draw_pictures(Frame& f) {
+  f.state.hovered.reset();
+  f.state.hovered_pixel.reset();
+  for_each_panel(f, [&](View v, const Box& panel) {
+    use_mouse(f, v, panel, picture_box(panel, f.input.images[static_cast<size_t>(v)].size));
+  });
+  for_each_panel(f, [&](View v, const Box& panel) { draw_panel(f, v, panel); });
+  const Box& main = f.layout.main_box();
+  f.requests.picture_size = {static_cast<int>(main.width()), static_cast<int>(main.height())};
+  if (!covered(f, main) && !f.state.hidden) draw_texts_on_main(f, main);
+  f.requests.probe = f.state.held_pixel ? f.state.held_pixel : f.state.hovered_pixel;
+}
+
+}  // namespace gbl::ui

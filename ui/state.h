@@ -1,0 +1,126 @@
+#pragma once
+// What the window remembers between frames and no picture depends on, and what every panel is handed in a frame.
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/options.h"
+#include "ui/captions.h"
+#include "ui/layout.h"
+#include "ui/style.h"
+#include "ui/ui.h"
+
+namespace gbl::ui {
+
+inline constexpr double kCaptionSeconds = 6;
+inline constexpr double kGlideSeconds = 1.2;
+
+struct Caption {
+  Sentence sentence;
+  double until = 0;
+};
+
+struct Glide {
+  Camera from, to;
+  double start = 0;
+};
+
+struct LessonRun {
+  Lesson lesson;
+  size_t step = 0;
+  bool revealed = false;
+};
+
+struct State {
+  State(Settings loaded, bool presenting)
+      : initial(std::move(loaded)), present(presenting), large(initial.view.main != "final") {}
+
+  Settings initial;
+  bool present;
+  bool large;           // the chosen view alone, else the mosaic
+  float ui_scale = 1;
+  bool hidden = false, help = false, playing = false;
+  std::optional<View> card;         // whose card is open
+  std::optional<int> options_page;  // of the all-options panel
+  const Option* edited = nullptr;   // has the keyboard for a typed value
+  bool focus_edited = false;
+  std::optional<int> chooser;       // the highlighted lesson
+  std::vector<Lesson> lessons;      // that the chooser offers
+  bool go_to = false, focus_go_to = false;
+  glm::ivec2 go_to_pixel{0};
+
+  std::optional<LessonRun> lesson;
+  std::optional<Caption> caption;
+  std::string notice;     // an error to show until the next key
+  std::string dismissed;  // the app's message that a key has answered
+
+  std::optional<Glide> glide;
+  std::optional<Camera> before_glide;  // the second I returns there
+  bool show_distance = false;          // d/r of the picked light
+  bool camera_key = false;             // one is held
+  double last_seconds = -1;
+
+  std::optional<View> hovered;              // of the frame before
+  std::optional<glm::ivec2> hovered_pixel;  // of the frame before
+  std::optional<glm::ivec2> held_pixel;
+  std::vector<std::string> cut_texts;
+};
+
+struct Frame {
+  State& state;
+  Settings& settings;
+  const Input& input;
+  Requests& requests;
+  Layout layout;
+  Type type;  // text sizes of this frame
+  Painter painter;
+
+  glm::ivec2 frame_size() const { return input.report.size.x > 0 ? input.report.size : settings.size; }
+  View chosen() const { return view_by_id(settings.view.main).view; }
+};
+
+// ---- the one way to change something: keys and widgets alike get a caption and an Error becomes a notice ------
+void say(Frame&, Sentence);
+void edit(Frame&, const std::function<void(Settings&)>& change);
+void edit_option(Frame&, const Option&, const Json& value);
+void step_option(Frame&, const Option&, int step);  // choices cycle, whole numbers double and halve
+void choose_preset(Frame&, int index);
+void show_view(Frame&, View);  // alone; again: all views
+
+
+void open_lesson(State&, Settings&, Lesson);  // at its first step
+void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
+void advance_motion(Frame&);          // time, glide and camera keys, once a frame
+
+// ---- panels, one function each ------------------------------------------------------------------------------
+void draw_pictures(Frame&);
+void draw_strip(Frame&);
+void draw_lesson(Frame&, const Box&);
+void draw_control_column(Frame&);
+void draw_status_bar(Frame&);
+void draw_options_panel(Frame&);
+void draw_card(Frame&);
+void draw_help(Frame&);
+void draw_chooser(Frame&);
+void draw_go_to(Frame&);
+void draw_notices(Frame&);
+void draw_hidden_hint(Frame&);
+Box options_box(const Frame&);
+Box card_box(const Frame&);
+float status_height(const Type&);
+
+// A widget in a box: a choice's combo (unsound rows marked, unavailable ones disabled with the reason).
+void draw_choice(Frame&, const Option&, const Box&, float px);
+std::string sound_mark(const Option&, const Settings&);  // "⚠ unsound: pitfall" or ""
+
+// The all-options panel: its pages, and the letter that selects an option on its page ("" = it has a key of its own).
+int option_pages();
+std::vector<const Option*> options_on_page(int page);
+std::string option_letter(const std::vector<const Option*>& page, const Option&);
+
+// A window for overlays: fixed, above the pictures, without any decoration.
+bool begin_overlay(const char* id, const Box&, ImU32 background);
+void end_overlay();
+
+}  // namespace gbl::ui

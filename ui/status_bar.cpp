@@ -1,0 +1,69 @@
+// At the bottom: one pixel in words and numbers, what is stored and what is shown; right: the time.
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+// The display transform of one channel: the same words as the card of `final`.
+int shown_code(float lit, const Settings& s) {
+  const double x = std::clamp(lit * s.exposure, 0.0, 1.0);
+  if (s.colour == Colour::as_tutorial) return static_cast<int>(std::lround(255 * x));
+  const double coded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;  // IEC 61966-2-1
+  return static_cast<int>(std::lround(255 * coded));
+}
+
+std::string facing(const glm::vec3& n) {
+  int axis = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(n[k]) > std::abs(n[axis])) axis = k;
+  const char* mostly = std::abs(n[axis]) > 0.95f ? "" : "mostly ";
+  if (axis == 1) return fmt::format("{}{}", mostly, n.y > 0 ? "up" : "down");
+  return fmt::format("{}to {}{}", mostly, n[axis] > 0 ? '+' : '-', "XYZ"[axis]);
+}
+
+const char* roughness_word(float r) { return r < 0.3f ? "shiny" : r < 0.65f ? "satin" : "matt"; }
+
+std::string three(const glm::vec3& v, int digits) {
+  return fmt::format("{:.{}f} {:.{}f} {:.{}f}", v.x, digits, v.y, digits, v.z, digits);
+}
+
+std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
+  std::string text = fmt::format("pixel {}, {}", p.pixel.x, p.pixel.y);
+  if (!p.surface) return text + "   no surface: the background";
+  text += fmt::format("   albedo {}", three(p.albedo, 2));
+  if (facts(f.settings.layout).stores_roughness) text += fmt::format("   roughness {:.2f} {}", p.roughness, roughness_word(p.roughness));
+  text += fmt::format("   normal {} {}   {:.1f} units away", three(p.normal, 2), facing(p.normal), p.range);
+  text += fmt::format("   {:.0f} light{}   lit {} → shown {} {} {}", p.lights, p.lights == 1 ? "" : "s", three(p.lit, 3),
+                      shown_code(p.lit.r, f.settings), shown_code(p.lit.g, f.settings), shown_code(p.lit.b, f.settings));
+  return text;
+}
+
+std::string right_text(const Frame& f) {
+  std::string text;
+  if (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) text += "panel keys on, Esc leaves   ";
+  if (f.state.held_pixel) text += "pixel held, Esc lets go   ";
+  return text + fmt::format("t = {:.2f} s {}", f.settings.time_s, f.state.playing ? "running" : "paused");
+}
+
+}  // namespace
+
+float status_height(const Type& type) { return std::round(type.small * 1.92f); }
+
+void draw_status_bar(Frame& f) {
+  const Box& bar = f.layout.status;
+  f.painter.fill(bar, kSurface);
+  const float px = f.type.small, pad = px * 0.8f, y = std::floor((bar.min.y + bar.max.y - px * 1.17f) / 2);
+  const std::string right = right_text(f);
+  const float right_x = bar.max.x - pad - text_size(right, px).x;
+  f.painter.text({right_x, y}, px, kDim, right);
+
+  std::string left = "Point at a picture to read its pixel here; a right click holds it. F1 shows the keys.";
+  if (f.input.probe && (f.state.held_pixel || f.state.hovered_pixel)) left = pixel_in_words(f, *f.input.probe);
+  f.painter.text_in({{bar.min.x + pad, y}, {right_x - 2 * pad, bar.max.y}}, px, kText, left);
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,98 @@
+#include "ui/style.h"
+
+#include <cmath>
+
+#include "renderer/resources.h"
+
+namespace gbl::ui {
+namespace {
+
+// Whole sizes, so that text at 1600×900, at 1280×720, at 1920×1080 and in large type is drawn unscaled or nearly so.
+constexpr float kFontSizes[] = {9, 10, 11, 12, 13, 14, 15, 16, 18, 20, 22, 24, 27, 30, 34, 40, 48};
+
+// Beside Latin: Greek for formulas, dashes and …, super- and subscripts, arrows, mathematical signs, ⚠ ✓ ▶.
+constexpr ImWchar kGlyphs[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070, 0x209C,
+                               0x2190, 0x2195, 0x2200, 0x2265, 0x22C5, 0x22C5, 0x25A0, 0x25CF, 0x26A0, 0x26A0,
+                               0x2713, 0x2717, 0};
+
+ImVec4 colour(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
+
+void set_colours(ImGuiStyle& style) {
+  ImGui::StyleColorsDark(&style);
+  ImVec4* c = style.Colors;
+  c[ImGuiCol_Text] = colour(kText);
+  c[ImGuiCol_TextDisabled] = colour(kDim);
+  c[ImGuiCol_WindowBg] = colour(kBackground);
+  c[ImGuiCol_PopupBg] = colour(kSurface);
+  c[ImGuiCol_Border] = colour(kLine);
+  c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = c[ImGuiCol_Header] = colour(kRaised);
+  c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = colour(IM_COL32(62, 69, 82, 255));
+  c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = colour(IM_COL32(76, 84, 100, 255));
+  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = c[ImGuiCol_CheckMark] = colour(kAccent);
+  c[ImGuiCol_NavHighlight] = colour(kAccent);
+  c[ImGuiCol_TextSelectedBg] = colour(IM_COL32(96, 86, 52, 255));
+  c[ImGuiCol_ScrollbarBg] = colour(kSurface);
+}
+
+}  // namespace
+
+ImU32 pass_colour(Pass pass) {
+  switch (pass) {
+    case Pass::geometry: return IM_COL32(86, 180, 233, 255);
+    case Pass::lighting: return IM_COL32(240, 159, 40, 255);
+    case Pass::combine: return IM_COL32(52, 200, 160, 255);
+    case Pass::display: return IM_COL32(222, 150, 196, 255);
+  }
+  return kLine;
+}
+
+const char* pass_label(Pass pass) {
+  constexpr const char* kLabels[] = {"Fill", "Light", "Combine", "Show"};
+  return kLabels[static_cast<int>(pass)];
+}
+
+Type type_for(float scale) {
+  const auto px = [scale](float at_one) { return std::max(9.0f, std::round(at_one * scale)); };
+  return {px(13), px(15), px(20)};
+}
+
+void set_up_style() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // the layout is fixed; nothing to remember between runs
+  const std::string_view font = embedded_bytes("fonts/DejaVuSans.ttf");
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  config.OversampleH = 2;
+  config.OversampleV = 1;
+  config.PixelSnapH = true;
+  for (const float px : kFontSizes)
+    io.Fonts->AddFontFromMemoryTTF(const_cast<char*>(font.data()), static_cast<int>(font.size()), px, &config, kGlyphs);
+
+  ImGuiStyle& style = ImGui::GetStyle();
+  set_colours(style);
+  style.WindowPadding = {0, 0};
+  style.WindowBorderSize = style.WindowRounding = 0;
+  style.FrameRounding = style.PopupRounding = style.GrabRounding = 4;
+  style.PopupBorderSize = 1;
+  style.ItemSpacing = {8, 4};
+}
+
+ImFont* font_for(float px) {
+  const ImVector<ImFont*>& fonts = ImGui::GetIO().Fonts->Fonts;
+  for (ImFont* font : fonts)
+    if (font->FontSize >= px - 0.25f) return font;
+  return fonts.back();
+}
+
+FontScope::FontScope(float px) {
+  ImFont* font = font_for(px);
+  ImGui::PushFont(font);
+  ImGui::SetWindowFontScale(px / font->FontSize);
+}
+
+FontScope::~FontScope() {
+  ImGui::SetWindowFontScale(1);
+  ImGui::PopFont();
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,88 @@
+#include "ui/ui.h"
+
+#include <algorithm>
+
+#include "ui/keys.h"
+#include "ui/state.h"
+
+namespace gbl::ui {
+namespace {
+
+constexpr float kPresentScale = 1.5f;
+
+LayoutInput layout_input(const State& s, const Settings& settings, const Type& type) {
+  return {ImGui::GetIO().DisplaySize, view_by_id(settings.view.main).view, s.large, s.hidden, status_height(type)};
+}
+
+Type type_of(const State& s) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float unit = std::min(display.x / 1600, display.y / 900);
+  return type_for(unit * s.ui_scale * (s.present ? kPresentScale : 1));
+}
+
+void begin_root(ImVec2 display) {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(display);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("G-Buffer Lab", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+}
+
+// Keys change what the layout is made from: afterwards the frame is measured again.
+void take_input(Frame& f, const std::vector<KeyEvent>& keys) {
+  if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
+  for (const KeyEvent& e : keys) dispatch(f, e);
+  advance_motion(f);
+  f.type = type_of(f.state);
+  f.layout = make_layout(layout_input(f.state, f.settings, f.type));
+}
+
+}  // namespace
+
+Ui::Ui(Settings initial, bool present) : state_(std::make_unique<State>(std::move(initial), present)) {}
+Ui::~Ui() = default;
+
+void Ui::set_up_style() { ui::set_up_style(); }
+
+Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyEvent>& keys) {
+  State& s = *state_;
+  s.cut_texts.clear();
+  Requests requests;
+  begin_root(ImGui::GetIO().DisplaySize);
+  Frame f{s, settings, input, requests, {}, {}, Painter(*ImGui::GetWindowDrawList(), s.cut_texts)};
+  f.type = type_of(s);
+  f.layout = make_layout(layout_input(s, settings, f.type));
+  take_input(f, keys);
+
+  f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, kBackground);
+  draw_pictures(f);
+  if (!s.hidden) {
+    draw_strip(f);
+    draw_control_column(f);
+    draw_status_bar(f);
+  } else {
+    if (s.lesson) draw_lesson(f, f.layout.strip);
+    draw_hidden_hint(f);
+  }
+  ImGui::End();
+  draw_options_panel(f);
+  draw_card(f);
+  draw_help(f);
+  draw_chooser(f);
+  draw_go_to(f);
+  draw_notices(f);
+  if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
+  return requests;
+}
+
+void Ui::open_lesson(std::string_view id, Settings& settings) {
+  ui::open_lesson(*state_, settings, load_lesson(id));
+}
+
+bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }
+
+const std::vector<std::string>& Ui::cut_texts() const { return state_->cut_texts; }
+
+}  // namespace gbl::ui

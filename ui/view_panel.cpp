@@ -1,0 +1,82 @@
+#include "ui/view_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "ui/style.h"
+
+namespace gbl::ui {
+namespace {
+
+// Key, name, format and bytes on the picture's top edge. Where the panel is too narrow for all, the attachment's
+// name goes first: its format and bytes are what the lecture is about.
+void draw_badge(Painter& p, const Box& panel, const ViewRow& view, std::string stored, const PanelLook& look) {
+  const std::string_view name = look.name.empty() ? view.label : look.name;
+  const float pad = std::round(look.px * 0.4f);
+  const float room = panel.width() - 6 * pad;
+  const auto width = [&](float px) {
+    return text_size(view.key, px).x + text_size(name, px).x + text_size(stored, px).x + 2 * pad;
+  };
+  const size_t space = stored.find(' ');
+  if (width(look.px) > room && space != std::string::npos) stored.erase(0, space + 1);
+  float px = look.px;
+  while (px > kSmallestPx && width(px) > room) px -= 1;
+  p.fit(name, {room, panel.height()}, px, false);  // notes a name that no size fits
+
+  const float height = std::round(px * 1.28f) + 2;
+  const Box back{{panel.min.x + 2, panel.min.y + 2}, {panel.min.x + 2 + width(px) + 5 * pad, panel.min.y + 2 + height}};
+  p.fill(back, kBacking);
+  p.fill({back.min, {back.min.x + pad, back.max.y}}, pass_colour(view.written_by));
+  ImVec2 at{back.min.x + 2 * pad, back.min.y + 1};
+  if (*view.key) at.x += p.text(at, px, kAccent, view.key).x + pad;
+  at.x += p.text(at, px, kText, name).x + 2 * pad;
+  p.text(at, px, kDim, stored);
+}
+
+void draw_missing(Painter& p, const Box& panel, const std::string& why, const PanelLook& look) {
+  p.fill(panel, kSurface);
+  const Box room{{panel.min.x + panel.width() * 0.1f, panel.min.y + panel.height() * 0.3f},
+                 {panel.max.x - panel.width() * 0.1f, panel.max.y - panel.height() * 0.1f}};
+  draw_paragraphs(p, room, {{"Not stored", kAccent, look.px * 1.3f}, {why, kText, look.px * 1.1f}}, look.px * 0.4f);
+}
+
+}  // namespace
+
+Box picture_box(const Box& panel, glm::ivec2 picture) {
+  if (picture.x <= 0 || picture.y <= 0) return panel;
+  const float shape = static_cast<float>(picture.x) / static_cast<float>(picture.y);
+  const float room = panel.width() / panel.height();
+  if (std::abs(shape / room - 1) < 0.01f) return panel;  // rounding of sizes: fill the panel
+  const ImVec2 size = shape > room ? ImVec2{panel.width(), panel.width() / shape}
+                                   : ImVec2{panel.height() * shape, panel.height()};
+  const ImVec2 min{std::round(panel.min.x + (panel.width() - size.x) / 2),
+                   std::round(panel.min.y + (panel.height() - size.y) / 2)};
+  return {min, {min.x + std::round(size.x), min.y + std::round(size.y)}};
+}
+
+void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& image, const Settings& s,
+                     const Bounds& bounds, const PanelLook& look) {
+  const ViewRow& view = row(v);
+  const std::string why = why_missing(v, s);
+  p.list().PushClipRect(panel.min, panel.max, true);
+  if (!why.empty()) {
+    draw_missing(p, panel, why, look);
+  } else {
+    p.fill(panel, IM_COL32(0, 0, 0, 255));
+    const Box picture = picture_box(panel, image.size);
+    if (image.texture)  // GL's rows go up
+      p.list().AddImage(reinterpret_cast<ImTextureID>(image.texture), picture.min, picture.max, {0, 1}, {1, 0});
+  }
+  const float thickness = std::max(2.0f, std::round(panel.width() / 300));
+  p.outline(panel, pass_colour(view.written_by), thickness);
+  if (look.chosen) p.outline(panel.inset(thickness), kAccent, thickness);
+  if (look.words) {
+    const Box room = panel.inset(look.chosen ? thickness * 2 - 2 : 0);
+    draw_badge(p, room, view, why.empty() ? stored_as(v, s) : "", look);
+    draw_legend(p, room, legend(v, s, bounds), look.px);
+  }
+  p.list().PopClipRect();
+}
+
+}  // namespace gbl::ui

@@ -1,0 +1,26 @@
+#pragma once
+// One view as a panel: its picture, a frame in the colour of the pass that wrote it, a badge and a legend on the
+// picture. The window and the contact sheet draw the same panels.
+#include <string_view>
+
+#include "renderer/views.h"
+#include "ui/text.h"
+#include "ui/ui.h"
+
+namespace gbl::ui {
+
+struct PanelLook {
+  float px = 13;          // badge and legend
+  std::string_view name;  // replaces the view's label if not empty
+  bool words = true;      // badge and legend; without: the picture and its frame
+  bool chosen = false;
+};
+
+void draw_view_panel(Painter&, const Box&, View, const ViewImage&, const Settings&, const Bounds&, const PanelLook&);
+
+// Where the picture stands in its panel: all of it, unless their shapes differ.
+Box picture_box(const Box& panel, glm::ivec2 picture);
+
+void draw_legend(Painter&, const Box& panel, const Legend&, float px);
+
+}  // namespace gbl::ui
