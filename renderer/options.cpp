@@ -12,7 +12,9 @@ namespace gbl {
 namespace {
 
 [[noreturn]] void bad_value(const Option& o, const Json& v, std::string_view expected) {
-  throw Error(ExitCode::bad_input, o.path, fmt::format("{} is not {}", v.dump(), expected));
+  // A strict dump throws at bytes that are not UTF-8.
+  const std::string given = v.dump(-1, ' ', false, Json::error_handler_t::replace);
+  throw Error(ExitCode::bad_input, o.path, fmt::format("{} is not {}", given, expected));
 }
 
 double checked_number(const Option& o, const Json& v) {
@@ -22,11 +24,13 @@ double checked_number(const Option& o, const Json& v) {
   return x;
 }
 
-int checked_integer(const Option& o, const Json& v) {
+double checked_whole(const Option& o, const Json& v) {
   const double x = checked_number(o, v);
   if (x != std::floor(x)) bad_value(o, v, "a whole number");
-  return static_cast<int>(x);
+  return x;
 }
+
+int checked_integer(const Option& o, const Json& v) { return static_cast<int>(checked_whole(o, v)); }
 
 template <size_t N>
 std::array<double, N> checked_vector(const Option& o, const Json& v) {
@@ -38,6 +42,11 @@ std::array<double, N> checked_vector(const Option& o, const Json& v) {
 
 std::string checked_text(const Option& o, const Json& v) {
   if (!v.is_string()) bad_value(o, v, "a text in quotes");
+  try {
+    static_cast<void>(v.dump());
+  } catch (const Json::type_error&) {
+    bad_value(o, v, "UTF-8");  // no settings file could hold it
+  }
   return v.get<std::string>();
 }
 
@@ -64,6 +73,11 @@ Json vec3_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 glm::dvec3 checked_vec3(const Option& o, const Json& v) {
   const auto a = checked_vector<3>(o, v);
   return {a[0], a[1], a[2]};
+}
+
+glm::ivec2 checked_size(const Option& o, const Json& v) {
+  if (!v.is_array() || v.size() != 2) bad_value(o, v, "an array of 2 numbers");
+  return {checked_integer(o, v[0]), checked_integer(o, v[1])};
 }
 
 glm::dquat checked_quaternion(const Option& o, const Json& v) {
@@ -102,11 +116,11 @@ const Option kOptions[] = {
   {.path = "camera.near", .group = Group::truth, .label = "Near plane", .help = "distance along the view axis", .unit = "units", NUMBER(camera.near, 1e-6, kFar)},
   {.path = "camera.far", .group = Group::truth, .label = "Far plane", .help = "distance along the view axis", .unit = "units", NUMBER(camera.far, 1e-6, kFar)},
   {.path = "time_s", .group = Group::truth, .label = "Time", .help = "lights move as functions of it", .unit = "s", NUMBER(time_s, 0, kFar)},
-  {.path = "size", .group = Group::truth, .label = "Size", .help = "width and height of the frame", .unit = "pixels", .kind = Kind::vector, .min = 1, .max = 16384, .get = GET(Json::array({s.size.x, s.size.y})), .set = SET({ const auto a = checked_vector<2>(o, v); s.size = {int(a[0]), int(a[1])}; })},
+  {.path = "size", .group = Group::truth, .label = "Size", .help = "width and height of the frame", .unit = "pixels", .kind = Kind::vector, .min = 1, .max = 16384, .get = GET(Json::array({s.size.x, s.size.y})), .set = SET(s.size = checked_size(o, v))},
   {.path = "lights.source", .group = Group::truth, .label = "Lights from", .help = "where the lights come from", CHOICE(LightSource, lights.source)},
   {.path = "lights.rig", .group = Group::truth, .label = "Lighting rig", .help = "a rig's file; needs a light source that reads it", TEXT(lights.rig)},
   {.path = "lights.count", .group = Group::truth, .label = "Lights", .help = "how many lights are generated", .key = "[ ]", INTEGER(lights.count, 0, kMaxLights)},
-  {.path = "lights.seed", .group = Group::truth, .label = "Seed", .help = "of the generated lights' colours and places", .kind = Kind::integer, .min = 0, .max = 4294967295.0, .get = GET(s.lights.seed), .set = SET({ checked_number(o, v); if (!v.is_number_integer()) bad_value(o, v, "a whole number"); s.lights.seed = v.get<unsigned>(); })},
+  {.path = "lights.seed", .group = Group::truth, .label = "Seed", .help = "of the generated lights' colours and places", .kind = Kind::integer, .min = 0, .max = 4294967295.0, .get = GET(s.lights.seed), .set = SET(s.lights.seed = static_cast<unsigned>(checked_whole(o, v)))},
   {.path = "lights.range-scale", .group = Group::truth, .label = "Range scale", .help = "multiplies every light's range", NUMBER(lights.range_scale, 1e-3, 1e3)},
   {.path = "lights.only", .group = Group::truth, .label = "Only light", .help = "this light alone; -1 = all", INTEGER(lights.only, -1, kMaxLights - 1)},
   {.path = "lights.first", .group = Group::truth, .label = "First lights", .help = "the first k lights; -1 = all", INTEGER(lights.first, -1, kMaxLights)},

@@ -1,5 +1,6 @@
 #include "renderer/settings_json.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -20,24 +21,38 @@ Json& at_path(Json& root, std::string_view path) {
   }
 }
 
-bool is_path(const std::string& path) {
+// "camera" of "camera.fov".
+bool is_group(const std::string& path) {
   for (const Option& o : options())
-    if (path == o.path) return true;
+    if (std::string_view(o.path).starts_with(path + ".")) return true;
   return false;
 }
 
-void apply_tree(Settings& s, const Json& node, const std::string& path, std::string_view where) {
-  if (node.is_object() && !is_path(path)) {
-    for (const auto& [key, child] : node.items())
-      apply_tree(s, child, path.empty() ? key : path + "." + key, where);
-    return;
+void apply_tree(Settings& s, const Json& tree, const std::string& group, std::string_view where) {
+  for (const auto& [key, node] : tree.items()) {
+    const std::string path = group.empty() ? key : group + "." + key;
+    if (node.is_object() && is_group(path)) {
+      apply_tree(s, node, path, where);
+      continue;
+    }
+    try {
+      const Option& o = option(path);
+      o.set(s, node, o);
+    } catch (const Error& e) {
+      throw Error(e.code(), where, e.what());
+    }
   }
-  try {
-    const Option& o = option(path);
-    o.set(s, node, o);
-  } catch (const Error& e) {
-    throw Error(e.code(), where, e.what());
-  }
+}
+
+// Far deeper than any settings or lesson: what walks a JSON tree recurses and must not run out of stack.
+constexpr int kMaxDepth = 64;
+
+Json::parser_callback_t no_deeper(std::string_view where) {
+  return [where](int depth, Json::parse_event_t, const Json&) {
+    if (depth > kMaxDepth)
+      throw Error(ExitCode::bad_input, where, fmt::format("JSON nested more than {} deep", kMaxDepth));
+    return true;
+  };
 }
 
 Json migrated(Json json, std::string_view where) {
@@ -81,7 +96,7 @@ void apply_assignment(Settings& s, std::string_view assignment) {
   if (equals == std::string_view::npos)
     throw Error(ExitCode::bad_input, "--set", fmt::format("'{}' has no '='", assignment), "write path=value");
   const std::string text(assignment.substr(equals + 1));
-  Json value = Json::parse(text, nullptr, false);
+  Json value = Json::parse(text, no_deeper("--set"), false);
   if (value.is_discarded()) value = text;
   const Option& o = option(assignment.substr(0, equals));
   o.set(s, value, o);
@@ -89,18 +104,22 @@ void apply_assignment(Settings& s, std::string_view assignment) {
 
 Json parse_json(std::string_view text, std::string_view where) {
   try {
-    return Json::parse(text);
+    return Json::parse(text, no_deeper(where));
   } catch (const nlohmann::json::parse_error& e) {
-    const size_t end = std::min(e.byte, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + end, '\n');
-    throw Error(ExitCode::bad_input, fmt::format("{}:{}", where, line), "not valid JSON", "mend the file near this line");
+    const std::string_view before = text.substr(0, e.byte > 0 ? e.byte - 1 : 0);  // byte counts from 1
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const size_t column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 = 0
+    throw Error(ExitCode::bad_input, fmt::format("{}:{}:{}", where, line, column), "not valid JSON",
+                "mend the file near this place");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw Error(ExitCode::bad_input, where, "a number is beyond the range of double", "mend the number");
   }
 }
 
 Json read_json(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;
-  if (!file || !(text << file.rdbuf()) )
+  if (!file || !(text << file.rdbuf()))
     throw Error(ExitCode::bad_input, path.string(), "cannot be read", "check the path and its permissions");
   return parse_json(text.str(), path.string());
 }
