@@ -82,6 +82,8 @@ void encode_png(std::FILE* file, const Image& image, const PngText& texts) {
   png_destroy_info_struct(png, &info);
 }
 
+constexpr png_uint_32 kMaxSide = 16384;  // pixels: the largest frame and texture
+
 struct PngReader {
   explicit PngReader(const fs::path& path) : file(std::fopen(path.c_str(), "rb")) {
     uint8_t magic[8] = {};
@@ -91,6 +93,7 @@ struct PngReader {
     info = png_create_info_struct(png);
     png_init_io(png, file.get());
     png_set_sig_bytes(png, 8);
+    png_set_user_limits(png, kMaxSide, kMaxSide);  // a 100-byte file can claim a picture of terabytes
   }
   ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
   File file;
