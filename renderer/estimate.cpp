@@ -52,8 +52,9 @@ double FrameCost::predict_ms(const Settings& s, const std::vector<Light>& lights
 glm::ivec2 FrameCost::affordable_size(const Settings& s, const std::vector<Light>& lights, double budget_ms) const {
   const double predicted = predict_ms(s, lights);
   if (predicted <= budget_ms) return s.size;
-  const double shrink = std::sqrt(budget_ms / predicted);
-  return glm::max(glm::ivec2(64), glm::ivec2(glm::dvec2(s.size) * shrink));
+  const double smallest = 64.0 / std::min(s.size.x, s.size.y);
+  const double shrink = std::min(1.0, std::max(smallest, std::sqrt(std::max(0.0, budget_ms) / predicted)));
+  return glm::ivec2(glm::dvec2(s.size) * shrink + 1e-6);  // 64 stays 64 after its two roundings
 }
 
 }  // namespace gbl
