@@ -150,7 +150,7 @@ Image three_culls(Lab& lab, Settings s) {
     sheet.tiles.push_back({View::final, {kept.back().texture.id(), s.size},
                            fmt::format("cull {}: {}", row(cull).id, row(cull).help)});
   }
-  sheet.caption = fmt::format("camera inside the volumes of several lights · {}", in_words(s, lab.report()));
+  sheet.caption = "The camera stands inside the volumes of two lights, and outside all others.";
   return picture_of(lab, sheet);
 }
 

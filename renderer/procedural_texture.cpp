@@ -173,7 +173,7 @@ GroundTextures make_ground_textures(int size, uint64_t seed) {
   t.normal = normal_map("ground normal", height, 0.23);
   t.wetness = make_texture("ground wetness", size, [&](int x, int y) {
     const double dry = 0.8 + 0.12 * soil.at(x, y), w = wet.at(x, y);
-    const double roughness = std::clamp(dry * (1 - w) + 0.2 * w, 0.18, 0.92);
+    const double roughness = std::clamp(dry * (1 - w) + 0.34 * w, 0.3, 0.92);
     return glm::dvec3(255, 255 * roughness, 0);
   });
   t.albedo = make_texture("ground albedo", size, [&](int x, int y) {

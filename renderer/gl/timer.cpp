@@ -22,7 +22,9 @@ const char* time_source() {
 
 // Mesa's llvmpipe bins the work of a framebuffer into one scene: a query that begins after a clear or draw on the
 // same binding sees only the last tile (0.1 ms for a pass of 60 ms). So a flush right after the query begins and
-// another before it ends put each pass into scenes of its own.
+// another before it ends put each pass into scenes of its own. A query that begins while no scene is open (at
+// start-up, after a read-back) gets no starting time at all, and the answer is the machine's uptime: so a texel of
+// our own is cleared first, which opens one.
 void PassTimers::begin(const char* pass) {
   Frame& frame = frames_[current_];
   if (frame.used == frame.slots.size()) frame.slots.emplace_back();
@@ -30,6 +32,13 @@ void PassTimers::begin(const char* pass) {
   slot.pass = pass;
   if (queries()) {
     if (!slot.query) slot.query = Object<Kind::query>::make();
+    if (!anchor_framebuffer_) {
+      anchor_ = make_texture({.label = "timer"});
+      anchor_framebuffer_ = make_framebuffer({.colours = {&anchor_}, .label = "timer"});
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, anchor_framebuffer_.id());
+    constexpr float kNothing[4] = {};
+    glClearBufferfv(GL_COLOR, 0, kNothing);
     glBeginQuery(GL_TIME_ELAPSED, slot.query.id());
     glFlush();
   } else {
@@ -68,7 +77,8 @@ std::optional<std::vector<PassTime>> PassTimers::answer_of(Frame& frame, bool wa
       glGetQueryObjectui64v(slot.query.id(), GL_QUERY_RESULT, &ns);
       ms = static_cast<double>(ns) * 1e-6;
     }
-    times.push_back({slot.pass, ms});
+    if (!times.empty() && times.back().pass == slot.pass) *times.back().ms += ms;  // several views in a row
+    else times.push_back({slot.pass, ms});
   }
   return times;
 }

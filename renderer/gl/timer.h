@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/frame_report.h"
-#include "renderer/gl/object.h"
+#include "renderer/gl/texture.h"
 
 namespace gbl::gl {
 
@@ -41,6 +41,8 @@ class PassTimers {
   std::array<Frame, kFramesUnderWay> frames_;
   int current_ = 0;
   double cpu_begin_ms_ = 0;
+  Texture anchor_;  // see begin()
+  Framebuffer anchor_framebuffer_;
   std::vector<PassTime> newest_;
 };
 

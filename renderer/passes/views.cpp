@@ -50,7 +50,7 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   defines.push_back({"RAW", options.raw});
   const gl::Program& program = programs_.get("fullscreen.vert", "views.frag", defines);
   Canvas& canvas = targets.view(view);
-  const gl::PassScope scope(targets.timers, row(view).id);
+  const gl::PassScope scope(targets.timers, "views");
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
