@@ -40,7 +40,8 @@ ViewRays view_rays(const Camera& c, double aspect) {
 
 double range_from_depth(const Camera& c, double depth) {
   if (c.orthographic()) return c.near + depth * (c.far - c.near);
-  return c.near * c.far / (c.far - depth * (c.far - c.near));
+  // near far / (far - depth (far - near)), without its cancellation: 1 - depth is exact from 0.5 on.
+  return c.near * c.far / (c.near + (1 - depth) * (c.far - c.near));
 }
 
 double depth_from_range(const Camera& c, double range) {
