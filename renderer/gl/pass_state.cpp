@@ -26,9 +26,13 @@ void apply(const PassState& s) {
   glColorMask(true, true, true, true);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
+  glDisable(GL_COLOR_LOGIC_OP);
+  glDisable(GL_DEPTH_CLAMP);
+  glDepthRange(0, 1);
   glDisable(GL_DITHER);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glDisable(GL_SAMPLE_COVERAGE);
   glDisable(GL_RASTERIZER_DISCARD);
   glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
   glDisable(GL_PRIMITIVE_RESTART);

@@ -45,6 +45,7 @@ Texture make_texture(const TextureDesc& d) {
   const GlFormat& f = gl_format(d.format);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, t.id());
+  state_pixel_storage();
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), d.size.x, d.size.y, 0, f.format, f.type, nullptr);
   const GLenum filter = d.linear_filter ? GL_LINEAR : GL_NEAREST;
   set_sampling(filter, filter, GL_CLAMP_TO_EDGE);
@@ -56,7 +57,7 @@ Texture make_image(const ImageDesc& d) {
   Texture t{Object<Kind::texture>::make(), d.size, Format::rgba8};
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, t.id());
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  state_pixel_storage();
   glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, d.rgba);
   set_sampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
@@ -83,6 +84,16 @@ Framebuffer make_framebuffer(const FramebufferDesc& d) {
     throw Error(ExitCode::no_gl, d.label, fmt::format("the driver refuses these attachments together (0x{:x})", status),
                 "choose another layout or format");
   return fbo;
+}
+
+void state_pixel_storage() {
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  for (const GLenum gap : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SWAP_BYTES,
+                           GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_SWAP_BYTES})
+    glPixelStorei(gap, 0);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
 void bind_texture(int unit, const Texture& t) {

@@ -42,6 +42,9 @@ Framebuffer make_framebuffer(const FramebufferDesc&);  // Error if the driver re
 
 void bind_texture(int unit, const Texture&);
 
+// Before texels are taken from or put into memory: rows without gaps, and memory is memory, not a buffer object.
+void state_pixel_storage();
+
 struct GlFormat {
   GLenum internal, format, type;  // type: of client data that holds the texel without loss
 };

@@ -80,6 +80,7 @@ void upload_lights(const Frame& frame) {
   if (t.light_data.size != size || !t.light_data.name)
     t.light_data = gl::make_texture({.size = size, .format = Format::rgba32f, .label = "lights"});
   gl::bind_texture(kLightUnit, t.light_data);
+  gl::state_pixel_storage();
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, t.light_texels.data());
 }
 
