@@ -11,7 +11,8 @@ class ReadScope {
   explicit ReadScope(const Texture& t) : fbo_(make_framebuffer({.colours = {&t}, .label = "read-back"})) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, fbo_.id());
     glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+    state_pixel_storage();
   }
   ~ReadScope() { glBindFramebuffer(GL_READ_FRAMEBUFFER, 0); }
 
@@ -24,7 +25,6 @@ class ReadScope {
 std::vector<uint8_t> read_rgba8(const Texture& t) {
   const ReadScope scope(t);
   std::vector<uint8_t> pixels(4u * t.size.x * t.size.y);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glReadPixels(0, 0, t.size.x, t.size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
   return pixels;
 }
@@ -32,18 +32,20 @@ std::vector<uint8_t> read_rgba8(const Texture& t) {
 std::vector<float> read_rgba32f(const Texture& t) {
   const ReadScope scope(t);
   std::vector<float> pixels(4u * t.size.x * t.size.y);
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glReadPixels(0, 0, t.size.x, t.size.y, GL_RGBA, GL_FLOAT, pixels.data());
   return pixels;
 }
 
-AsyncRead::~AsyncRead() {
+AsyncRead::~AsyncRead() { drop(); }
+
+void AsyncRead::drop() {
   if (fence_) glDeleteSync(fence_);
+  fence_ = nullptr;
 }
 
 void AsyncRead::start(const Texture& t) {
   if (!buffer_) buffer_ = Buffer::make();
-  if (fence_) glDeleteSync(fence_);
+  drop();
   data_.resize(4u * t.size.x * t.size.y);
   const ReadScope scope(t);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());

@@ -19,6 +19,7 @@ class AsyncRead {
   ~AsyncRead();
   AsyncRead(const AsyncRead&) = delete;
   void start(const Texture& rgba32f);  // replaces one that is under way
+  void drop();                         // forgets one that is under way
   bool pending() const { return fence_ != nullptr; }
   // Null until it has arrived; the data is valid until the next start().
   const std::vector<float>* take(bool wait = false);

@@ -30,6 +30,7 @@ void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& ta
 }
 
 void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& targets, glm::ivec2 pixel) {
+  if (!targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
   gl::Defines defines = gbuffer_defines(s);
   defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});

@@ -26,7 +26,9 @@ Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targ
 FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& targets) {
   targets.prepare(s);
   targets.lights = lights_of(s, scene.scene());
-  targets.counts_valid = false;
+  targets.counts_valid = targets.counts_lit_valid = false;
+  targets.count_read.drop();  // an answer still under way is the last frame's, not this one's
+  targets.probe_read.drop();
   targets.timers.next_frame();
   const Frame frame = frame_of(s, scene, targets);
   upload_lights(frame);
