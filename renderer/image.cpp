@@ -52,10 +52,13 @@ void write_by_rename(const fs::path& path, Write write) {
 void on_png_warning(png_structp, png_const_charp) {}
 
 void encode_png(std::FILE* file, const Image& image, const PngText& texts) {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_png_error, on_png_warning);
-  png_infop info = png_create_info_struct(png);
-  const std::unique_ptr<png_structp, void (*)(png_structp*)> owner(
-      &png, [](png_structp* p) { png_destroy_write_struct(p, nullptr); });
+  struct Writer {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_png_error, on_png_warning);
+    png_infop info = png_create_info_struct(png);
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+  } writer;
+  const png_structp png = writer.png;
+  const png_infop info = writer.info;
   png_init_io(png, file);
   const auto width = static_cast<png_uint_32>(image.size.x), height = static_cast<png_uint_32>(image.size.y);
   png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
@@ -79,7 +82,6 @@ void encode_png(std::FILE* file, const Image& image, const PngText& texts) {
     png_write_row(png, line.data());
   }
   png_write_end(png, info);
-  png_destroy_info_struct(png, &info);
 }
 
 constexpr png_uint_32 kMaxSide = 16384;  // pixels: the largest frame and texture
