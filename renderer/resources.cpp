@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "renderer/error.h"
@@ -76,13 +77,14 @@ std::filesystem::path override_folder() { return g_override; }
 
 long long shaders_stamp() {
   if (g_override.empty()) return 0;
-  long long newest = 0;
+  constexpr long long kNone = std::numeric_limits<long long>::min();
+  long long newest = kNone;  // not 0: some libraries count file times from the year 2174, so that all are negative
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(g_override / "shaders", ignored)) {
     const auto time = entry.last_write_time(ignored);
     if (!ignored) newest = std::max<long long>(newest, time.time_since_epoch().count());
   }
-  return newest;
+  return newest == kNone ? 0 : newest;
 }
 
 }  // namespace gbl
