@@ -33,9 +33,9 @@ Camera turned(const Camera& camera, glm::dvec2 drag, double picture_height) {
   const double degrees_per_pixel = (camera.orthographic() ? 45 : camera.fov) / std::max(1.0, picture_height);
   const glm::dvec2 yaw_pitch = yaw_pitch_of(camera.orientation);
   Camera c = camera;
-  c.orientation = orientation_from_yaw_pitch(
-      yaw_pitch.x - drag.x * degrees_per_pixel,
-      std::clamp(yaw_pitch.y - drag.y * degrees_per_pixel, -kSteepestPitch, kSteepestPitch));
+  c.orientation =
+      orientation_from_yaw_pitch(yaw_pitch.x - drag.x * degrees_per_pixel,
+                                 std::clamp(yaw_pitch.y - drag.y * degrees_per_pixel, -kSteepestPitch, kSteepestPitch));
   return c;
 }
 
@@ -46,8 +46,8 @@ Camera inside(const Camera& camera, const Light& light) {
   Camera c = camera;
   c.position = light.position + side * (light.range / 2);
   const double pitch = glm::degrees(std::asin(std::clamp(-side.y, -1.0, 1.0)));
-  const double yaw = std::abs(side.y) < 1 - 1e-9 ? glm::degrees(std::atan2(side.x, side.z))
-                                                 : yaw_pitch_of(camera.orientation).x;
+  const double yaw =
+      std::abs(side.y) < 1 - 1e-9 ? glm::degrees(std::atan2(side.x, side.z)) : yaw_pitch_of(camera.orientation).x;
   c.orientation = orientation_from_yaw_pitch(yaw, std::clamp(pitch, -kSteepestPitch, kSteepestPitch));
   return c;
 }

@@ -22,15 +22,12 @@ std::string cost_sentence(const ValueRow& before, const ValueRow& after) {
   return was.empty() ? fmt::format(" Cost: {}.", now) : fmt::format(" Cost: {} (was {}).", now, was);
 }
 
-std::string number_text(double x) { return fmt::format("{:.6g}", x); }
-
-std::string json_text(const Json& v) {
+std::string json_text(const Json& v, int digits = 6) {
   if (v.is_string()) return v.get<std::string>();
-  if (v.is_number_integer()) return v.dump();
-  if (v.is_number()) return number_text(v.get<double>());
+  if (v.is_number_float()) return fmt::format("{:.{}g}", v.get<double>(), digits);
   if (!v.is_array()) return v.dump();
   std::string text = "[";
-  for (const Json& element : v) text += (text.size() > 1 ? ", " : "") + json_text(element);
+  for (const Json& element : v) text += (text.size() > 1 ? ", " : "") + json_text(element, v.size() > 3 ? 3 : digits);
   return text + "]";
 }
 
@@ -38,7 +35,8 @@ std::string json_text(const Json& v) {
 
 std::string capitalised(std::string_view text) {
   std::string out(text);
-  if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+  const bool word = out.size() > 1 && (out[1] != ' ' || out[0] == 'a');  // "n * 0.5" begins with a symbol
+  if (word && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
   return out;
 }
 
@@ -62,12 +60,16 @@ Sentence describe_step(const Option& o, const Settings& before, const Settings& 
   const ValueRow& from = o.values[chosen(o, before)];
   const ValueRow& to = o.values[chosen(o, after)];
   if (from.value == to.value)
-    return {fmt::format("{}: “{}” is the only choice here. {}", o.label, to.label, with_full_stop(capitalised(to.help))), ""};
+    return {
+        fmt::format("{}: “{}” is the only choice here. {}", o.label, to.label, with_full_stop(capitalised(to.help))),
+        ""};
   Sentence s{fmt::format("{}: {} → {}. {}{}", o.label, from.label, to.label, with_full_stop(capitalised(to.help)),
                          cost_sentence(from, to)),
              ""};
-  if (!in_use(o, after)) s.text += fmt::format(" No effect while the method is {}: it draws no volumes.", row(after.lights.method).label);
-  else s.pitfall = to.pitfall;
+  if (!in_use(o, after))
+    s.text += fmt::format(" No effect while the method is {}: it draws no volumes.", row(after.lights.method).label);
+  else
+    s.pitfall = to.pitfall;
   return s;
 }
 

@@ -25,6 +25,6 @@ Sentence describe_step(const Option&, const Settings& before, const Settings& af
 std::string value_text(const Option&, const Settings&);
 
 std::string grouped(uint64_t number);            // 1 234 567
-std::string capitalised(std::string_view text);  // first letter; the tables' helps begin in lower case
+std::string capitalised(std::string_view text);  // the tables' helps begin in lower case
 
 }  // namespace gbl::ui

@@ -17,7 +17,8 @@ std::string stored_text(View v, const Settings& s) {
 }
 
 const char* pass_name(Pass p) {
-  constexpr const char* kNames[] = {"geometry pass (Fill)", "lighting pass (Light)", "combine pass (Combine)", "display transform (Show)"};
+  constexpr const char* kNames[] = {"geometry pass (Fill)", "lighting pass (Light)", "combine pass (Combine)",
+                                    "display transform (Show)"};
   return kNames[static_cast<int>(p)];
 }
 
@@ -41,7 +42,8 @@ void draw_card(Frame& f) {
   Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   p.fill({box.min, {box.max.x, box.min.y + 4}}, pass_colour(v.written_by));
   const float head = line_height(f.type.large);
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, fmt::format("{}{}{}", v.key, *v.key ? "  " : "", v.label));
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent,
+            fmt::format("{}{}{}", v.key, *v.key ? "  " : "", v.label));
   const std::vector<Field> fields{{"what", v.sentence, kText},
                                   {"space", v.space, kText},
                                   {"unit", v.unit, kText},
@@ -53,7 +55,8 @@ void draw_card(Frame& f) {
                                   {"in sources", v.in_sources, kText},
                                   {"mistake", v.mistake, kUnsound}};
   const float foot = line_height(f.type.small);
-  draw_fields(p, {{room.min.x, room.min.y + head * 1.2f}, {room.max.x, room.max.y - foot}}, fields, f.type.body);
+  draw_fields(p, {{room.min.x, room.min.y + head * 1.2f}, {room.max.x, room.max.y - foot}}, fields,
+              std::round(f.type.body * 1.3f));
   p.text_in({{room.min.x, room.max.y - foot}, room.max}, f.type.small, kDim, "H or Esc closes");
   end_overlay();
 }

@@ -29,7 +29,8 @@ bool try_change(Frame& f, const std::function<void(Settings&)>& change) {
   Settings changed = f.settings;
   try {
     change(changed);
-    if (changed.lights.only >= changed.lights.count && f.settings.lights.only >= 0) changed.lights.only = -1;  // it is gone
+    if (changed.lights.only >= changed.lights.count && f.settings.lights.only >= 0)
+      changed.lights.only = -1;  // it is gone
     require_valid(changed, {f.input.features});
   } catch (const Error& e) {
     f.state.notice = e.what();
@@ -61,8 +62,10 @@ void edit_option(Frame& f, const Option& o, const Json& value) {
 void step_option(Frame& f, const Option& o, int step) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
-    if (o.kind == Kind::choice) cycle(o, s, step, f.input.features);
-    else if (o.kind == Kind::integer) o.set(s, next_power(o.get(s).get<int>(), step, static_cast<int>(o.max)), o);
+    if (o.kind == Kind::choice)
+      cycle(o, s, step, f.input.features);
+    else if (o.kind == Kind::integer)
+      o.set(s, next_power(o.get(s).get<int>(), step, static_cast<int>(o.max)), o);
   });
   if (done) say(f, describe_step(o, before, f.settings));
 }

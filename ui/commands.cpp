@@ -85,14 +85,15 @@ void pick_light(Frame& f, const KeyEvent& e) {
   const int step = e.key == "," ? -1 : 1;
   const int pick = (std::min(f.settings.view.pick, n - 1) + step + n) % n;
   f.settings.view.pick = pick;
-  f.state.before_glide.reset();  // the next I glides into this one
+  f.state.before_glide.reset();                                    // the next I glides into this one
   if (f.settings.lights.only >= 0) f.settings.lights.only = pick;  // alone stays alone
   if (const std::optional<Light> light = light_at(f, pick)) say(f, {light_sentence(f, pick, *light), ""});
 }
 
 void toggle_time(Frame& f, const KeyEvent&) {
   f.state.playing = !f.state.playing;
-  say(f, {f.state.playing ? "The lights move: time runs." : fmt::format("Paused at t = {:.2f} s.", f.settings.time_s), ""});
+  say(f, {f.state.playing ? "The lights move: time runs." : fmt::format("Paused at t = {:.2f} s.", f.settings.time_s),
+          ""});
 }
 
 void toggle_help(Frame& f, const KeyEvent&) { f.state.help = !f.state.help; }
@@ -101,15 +102,19 @@ void reload_shaders(Frame& f, const KeyEvent&) { f.requests.reload_shaders = tru
 void save_figure(Frame& f, const KeyEvent&) { f.requests.save_figure = true; }
 
 void toggle_card(Frame& f, const KeyEvent&) {
-  if (f.state.card) f.state.card.reset();
-  else f.state.card = f.state.hovered.value_or(f.chosen());
+  if (f.state.card)
+    f.state.card.reset();
+  else
+    f.state.card = f.state.hovered.value_or(f.chosen());
 }
 
 void toggle_options(Frame& f, const KeyEvent& e) {
   std::optional<int>& page = f.state.options_page;
   const int next = page ? *page + (e.shift ? -1 : 1) : 0;
-  if (next < 0 || next >= option_pages()) page.reset();
-  else page = next;
+  if (next < 0 || next >= option_pages())
+    page.reset();
+  else
+    page = next;
 }
 
 void toggle_navigation(Frame& f, const KeyEvent&) {
@@ -150,14 +155,22 @@ void stop_typing(Frame& f) {
 void close_top(Frame& f, const KeyEvent&) {
   State& s = f.state;
   ImGuiIO& io = ImGui::GetIO();
-  if (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-  else if (s.chooser) s.chooser.reset();
-  else if (s.options_page) s.options_page.reset();
-  else if (s.help) s.help = false;
-  else if (s.card) s.card.reset();
-  else if (s.held_pixel) s.held_pixel.reset();
-  else if (s.lesson) s.lesson.reset();
-  else s.hidden = false;
+  if (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  else if (s.chooser)
+    s.chooser.reset();
+  else if (s.options_page)
+    s.options_page.reset();
+  else if (s.help)
+    s.help = false;
+  else if (s.card)
+    s.card.reset();
+  else if (s.held_pixel)
+    s.held_pixel.reset();
+  else if (s.lesson)
+    s.lesson.reset();
+  else
+    s.hidden = false;
 }
 
 }  // namespace gbl::ui

@@ -22,16 +22,20 @@ std::string source_in_words(const std::string& id) {
 
 std::vector<Number> numbers(const FrameReport& r, bool pass_by_pass) {
   std::vector<Number> n;
-  n.push_back({"bytes per pixel", fmt::format("{} G-buffer + {} light", r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel)});
+  n.push_back({"bytes per pixel",
+               fmt::format("{} G-buffer + {} light", r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel)});
   n.push_back({"pairs shaded", r.pairs ? grouped(r.pairs->shaded) : "…"});
   std::string lit = r.pairs && r.pairs->lit ? grouped(*r.pairs->lit) : "…";
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
-    lit += fmt::format("   1 of {:.2f} shaded", static_cast<double>(r.pairs->shaded) / static_cast<double>(*r.pairs->lit));
+    lit += fmt::format("   (shaded ÷ lit {:.2f})",
+                       static_cast<double>(r.pairs->shaded) / static_cast<double>(*r.pairs->lit));
   n.push_back({"pairs lit", lit});
   std::string joined;
   for (const PassTime& t : r.passes) {
-    if (pass_by_pass) n.push_back({"ms " + t.pass, milliseconds(t)});
-    else joined += fmt::format("{}{} {}", joined.empty() ? "" : " · ", t.pass, milliseconds(t));
+    if (pass_by_pass)
+      n.push_back({"ms " + t.pass, milliseconds(t)});
+    else
+      joined += fmt::format("{}{} {}", joined.empty() ? "" : " · ", t.pass, milliseconds(t));
   }
   if (!pass_by_pass) n.push_back({"ms", joined.empty() ? "…" : joined});
   n.push_back({"ms from", r.time_source.empty() ? "…" : source_in_words(r.time_source)});
@@ -42,12 +46,17 @@ std::vector<Number> numbers(const FrameReport& r, bool pass_by_pass) {
 // Where things stand at one text size; the column tries sizes until all of it fits.
 struct Sizes {
   float px, widget, note, gap, line;
-  explicit Sizes(float p) : px(p), widget(std::round(p * 1.8f)), note(line_height(p * 0.87f)), gap(std::round(p * 0.4f)), line(line_height(p)) {}
+  explicit Sizes(float p)
+      : px(p),
+        widget(std::round(p * 1.7f)),
+        note(line_height(p * 0.87f)),
+        gap(std::round(p * 0.35f)),
+        line(line_height(p)) {}
   float small() const { return std::max(kSmallestPx, std::floor(px * 0.87f)); }
 };
 
 float number_height(const Number& n, float width, float label, const Sizes& z) {
-  return std::max(z.line, text_size(n.value, z.px, width - label).y) + 2;
+  return std::round(text_size(n.value, z.px, width - label).y + 0.35f * z.px);
 }
 
 float label_width(const std::vector<Number>& ns, const Sizes& z) {
@@ -72,7 +81,7 @@ Box begin_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z, std::stri
     keys.remove_prefix(std::min(space + 1, keys.size()));
   }
   x = std::max(x, at.x + 2 * key_cap_width("[", z.px) + 4) + z.gap;
-  f.painter.text({x, top}, z.px, kText, label);
+  f.painter.text({x, top + above_text(z.px)}, z.px, kText, label);
   const float left = std::round(column.min.x + 2 * key_cap_width("[", z.px) + text_size("Normal", z.px).x + 4 * z.gap);
   const Box widget{{left, at.y}, {column.max.x, at.y + z.widget}};
   at.y += z.widget + z.gap;
@@ -105,8 +114,10 @@ void choice_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z, const c
   draw_choice(f, o, box, z.px);
   const Box note{{box.min.x, box.max.y + 1}, {box.max.x, box.max.y + 1 + z.note}};
   const std::string mark = sound_mark(o, f.settings);
-  if (!mark.empty()) f.painter.text_in(note, z.small(), kUnsound, mark);
-  else f.painter.text_in(note, z.small(), kDim, in_use(o, f.settings) ? "sound" : "not used by this method");
+  if (!mark.empty())
+    f.painter.text_in(note, z.small(), kUnsound, mark);
+  else
+    f.painter.text_in(note, z.small(), kDim, in_use(o, f.settings) ? "sound" : "not used by this method");
   at.y += z.note;
 }
 
@@ -114,12 +125,16 @@ void lights_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z) {
   const Option& o = option("lights.count");
   const Box box = begin_row(f, column, at, z, o.key, o.label);
   int count = f.settings.lights.count;
+  const float number = text_size("16 384 ", z.px).x;  // beside the slider: its grab would hide it
+  const std::string text = grouped(static_cast<uint64_t>(count));
+  f.painter.text({box.max.x - text_size(text, z.px).x, box.min.y + (z.widget - z.px) / 2}, z.px, kText, text);
   const FontScope font(z.px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::round(z.px * 0.5f), std::floor((z.widget - z.px) / 2)});
   ImGui::SetCursorScreenPos(box.min);
-  ImGui::SetNextItemWidth(box.width());
-  constexpr ImGuiSliderFlags kFlags = ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
-  if (ImGui::SliderInt("##lights", &count, 0, kMaxLights, "%d", kFlags)) edit_option(f, o, count);
+  ImGui::SetNextItemWidth(box.width() - number);
+  constexpr ImGuiSliderFlags kFlags =
+      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput;
+  if (ImGui::SliderInt("##lights", &count, 0, kMaxLights, "", kFlags)) edit_option(f, o, count);
   ImGui::PopStyleVar();
 }
 

@@ -9,7 +9,8 @@ namespace {
 
 // Key names as caps: "Left Right" -> ← →.
 std::vector<std::string> caps_of(std::string_view key) {
-  constexpr std::pair<std::string_view, std::string_view> kArrows[] = {{"Left", "←"}, {"Right", "→"}, {"Up", "↑"}, {"Down", "↓"}};
+  constexpr std::pair<std::string_view, std::string_view> kArrows[] = {
+      {"Left", "←"}, {"Right", "→"}, {"Up", "↑"}, {"Down", "↓"}};
   std::vector<std::string> caps;
   while (!key.empty()) {
     const size_t space = std::min(key.find(' '), key.size());
@@ -66,12 +67,15 @@ void draw_help(Frame& f) {
   begin_overlay("help", box, kBackground);
   Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   const float head = line_height(f.type.large) * 1.4f;
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, "Keys   (F1 or Esc closes; Shift with a letter goes backwards)");
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent,
+            "Keys   (F1 or Esc closes; Shift with a letter goes backwards)");
   const std::vector<KeyRow> rows = key_rows();
   const float height = room.height() - head;
-  Columns c = columns_at(f.type.body, rows, room.width());
+  Columns c = columns_at(std::round(f.type.body * 1.4f), rows, room.width());
   while (split(rows, c, height).empty() && c.px > kSmallestPx) c = columns_at(c.px - 1, rows, room.width());
-  const std::vector<size_t> ends = split(rows, c, height);
+  std::vector<size_t> ends = split(rows, c, height);
+  // The lowest columns that hold them all: three alike instead of two and a bit.
+  for (float most = height - c.px; !split(rows, c, most).empty(); most -= c.px) ends = split(rows, c, most);
   if (ends.empty()) f.state.cut_texts.emplace_back("the list of keys");
   size_t i = 0;
   for (size_t column = 0; column < ends.size(); ++column) {
@@ -79,7 +83,7 @@ void draw_help(Frame& f) {
     for (; i < ends[column]; ++i) {
       float x = at.x;
       for (const std::string& cap : caps_of(rows[i].key)) x += p.key_cap({x, at.y}, c.px, cap) + 3;
-      p.text({at.x + c.keys + c.px, at.y}, c.px, kText, rows[i].help, c.text);
+      p.text({at.x + c.keys + c.px, at.y + above_text(c.px)}, c.px, kText, rows[i].help, c.text);
       at.y += c.height(rows[i]);
     }
   }

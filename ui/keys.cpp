@@ -30,7 +30,8 @@ constexpr Command kCommands[] = {
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F12", "figure", "save what is on screen as a figure", save_figure},
     {"+ -", "ui.scale", "larger or smaller type", scale_type, true},
-    {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look", nullptr},
+    {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",
+     nullptr},
     {"Left Right Up Down", "pixel.nudge", "move the held pixel by one; Shift: by ten", nudge_pixel, true},
     {"Ctrl+G", "pixel.go-to", "hold the pixel at a typed x, y", open_go_to},
     {"Esc", "close", "close what is open; then let go of the pixel, the lesson, the hidden panels", close_top},
@@ -58,8 +59,10 @@ KeySpec parse(std::string_view spec) {
   while (!spec.empty()) {
     const size_t space = spec.find(' ');
     const std::string_view token = spec.substr(0, space);
-    if (token == "Shift") out.shift = true;
-    else out.keys.push_back(token);
+    if (token == "Shift")
+      out.shift = true;
+    else
+      out.keys.push_back(token);
     spec.remove_prefix(space == std::string_view::npos ? spec.size() : space + 1);
   }
   return out;
@@ -135,9 +138,13 @@ void dispatch(Frame& f, const KeyEvent& e) {
 std::vector<KeyRow> key_rows() {
   std::vector<KeyRow> rows;
   for (const Option& o : options())
-    if (*o.key) rows.push_back({o.key, o.path, fmt::format("{}: {}{}", o.label, o.help, o.kind == Kind::choice ? "; Shift: backwards" : "; halve, double")});
+    if (*o.key)
+      rows.push_back(
+          {o.key, o.path,
+           fmt::format("{}: {}{}", o.label, o.help, o.kind == Kind::choice ? " (Shift: back)" : " (halve, double)")});
   for (const ViewRow& v : views())
-    if (*v.key) rows.push_back({v.key, fmt::format("view.{}", v.id), fmt::format("{} alone; again: all views", v.label)});
+    if (*v.key)
+      rows.push_back({v.key, fmt::format("view.{}", v.id), fmt::format("{} alone; again: all views", v.label)});
   for (const Command& c : kCommands) rows.push_back({c.key, c.id, c.help});
   return rows;
 }

@@ -10,10 +10,14 @@ struct Cell {
   View view;
   float x, y, width;  // height follows: 9/16 of the width
 };
-constexpr Cell kMosaic[] = {
-    {View::final, 0, 0, 800},            {View::albedo, 800, 0, 400},          {View::normal, 1200, 0, 400},
-    {View::depth, 800, 225, 400},        {View::material, 1200, 225, 400},     {View::diffuse_light, 0, 450, 400},
-    {View::specular_light, 400, 450, 400}, {View::lights_per_pixel, 800, 450, 400}};
+constexpr Cell kMosaic[] = {{View::final, 0, 0, 800},
+                            {View::albedo, 800, 0, 400},
+                            {View::normal, 1200, 0, 400},
+                            {View::depth, 800, 225, 400},
+                            {View::material, 1200, 225, 400},
+                            {View::diffuse_light, 0, 450, 400},
+                            {View::specular_light, 400, 450, 400},
+                            {View::lights_per_pixel, 800, 450, 400}};
 constexpr float kColumnX = 1200, kColumnY = 450, kStripY = 675;
 
 }  // namespace

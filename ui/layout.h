@@ -12,13 +12,13 @@ namespace gbl::ui {
 struct LayoutInput {
   ImVec2 display;
   View chosen = View::final;
-  bool large = false;       // the chosen view alone
-  bool hidden = false;      // pictures only
+  bool large = false;   // the chosen view alone
+  bool hidden = false;  // pictures only
   float status_height = 25;
 };
 
 struct Layout {
-  float unit = 1;  // screen pixels per pixel of the 1600×900 design
+  float unit = 1;                                     // screen pixels per pixel of the 1600×900 design
   std::array<std::optional<Box>, kViewCount> panels;  // by View; empty = not on screen
   View main = View::final;
   Box canvas, strip, column, status;

@@ -12,7 +12,8 @@ ImU32 packed(glm::vec3 c) { return ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z
 
 struct Metrics {
   float px, line, gap, swatch;
-  explicit Metrics(float size) : px(size), line(std::round(size * 1.28f)), gap(std::round(size * 0.4f)), swatch(std::round(size * 0.8f)) {}
+  explicit Metrics(float size)
+      : px(size), line(std::round(size * 1.28f)), gap(std::round(size * 0.4f)), swatch(std::round(size * 0.8f)) {}
 };
 
 float label_width(const LegendEntry& e, const Metrics& m) { return text_size(e.label, m.px).x; }
@@ -30,24 +31,15 @@ void draw_row(Painter& p, ImVec2 at, const std::vector<LegendEntry>& entries, co
     p.fill(swatch, packed(e.colour));
     p.outline(swatch, kDim, 1);  // black on dark is a swatch, too
     at.x += m.swatch + m.gap / 2;
-    at.x += p.text(at, m.px, kText, e.label).x + 2 * m.gap;
+    at.x += p.text({at.x, at.y + above_text(m.px)}, m.px, kText, e.label).x + 2 * m.gap;
   }
 }
 
-// Labels below the bar at equal steps: the first starts with it, the last ends with it, the others are centred.
-float label_left(const std::vector<LegendEntry>& entries, size_t i, float bar, const Metrics& m) {
-  const float width = label_width(entries[i], m), at = bar * static_cast<float>(i) / static_cast<float>(entries.size() - 1);
-  return i == 0 ? 0 : std::min(at - width / 2, bar - width);
-}
-
+// Labels below a lying bar start at their ticks; the last one reaches out beyond the bar's end.
 bool labels_apart(const std::vector<LegendEntry>& entries, float bar, const Metrics& m) {
-  float end = -m.gap;
-  for (size_t i = 0; i < entries.size(); ++i) {
-    const float left = label_left(entries, i, bar, m);
-    if (left < end + m.gap) return false;
-    end = left + label_width(entries[i], m);
-  }
-  return true;
+  const float step = bar / static_cast<float>(entries.size() - 1);
+  return std::all_of(entries.begin(), entries.end() - 1,
+                     [&](const LegendEntry& e) { return label_width(e, m) + m.gap <= step; });
 }
 
 void fill_bar(Painter& p, const Box& bar, const std::vector<LegendEntry>& entries, bool lying) {
@@ -56,23 +48,29 @@ void fill_bar(Painter& p, const Box& bar, const std::vector<LegendEntry>& entrie
     const float a = static_cast<float>(i) / n, b = static_cast<float>(i + 1) / n;
     const ImU32 from = packed(entries[i].colour), to = packed(entries[i + 1].colour);
     if (lying)
-      p.list().AddRectFilledMultiColor({bar.min.x + bar.width() * a, bar.min.y}, {bar.min.x + bar.width() * b, bar.max.y}, from, to, to, from);
+      p.list().AddRectFilledMultiColor({bar.min.x + bar.width() * a, bar.min.y},
+                                       {bar.min.x + bar.width() * b, bar.max.y}, from, to, to, from);
     else
-      p.list().AddRectFilledMultiColor({bar.min.x, bar.max.y - bar.height() * b}, {bar.max.x, bar.max.y - bar.height() * a}, to, to, from, from);
+      p.list().AddRectFilledMultiColor({bar.min.x, bar.max.y - bar.height() * b},
+                                       {bar.max.x, bar.max.y - bar.height() * a}, to, to, from, from);
   }
   p.outline(bar, kDim, 1);
 }
 
 void draw_lying_bar(Painter& p, const Box& panel, const Legend& legend, float bar, const Metrics& m) {
-  const float apart = legend.apart.empty() ? 0 : row_width(legend.apart, m) + m.gap;
+  const float beyond = std::max(label_width(legend.entries.back(), m), row_width(legend.apart, m));
   const Box back{{panel.min.x + 2, panel.max.y - 2 - m.swatch - m.line - 2 * m.gap},
-                 {panel.min.x + 2 + bar + apart + 2 * m.gap, panel.max.y - 2}};
+                 {panel.min.x + 2 + bar + beyond + 2 * m.gap, panel.max.y - 2}};
   p.fill(back, kBacking);
   const ImVec2 at{back.min.x + m.gap, back.min.y + m.gap};
   fill_bar(p, {at, {at.x + bar, at.y + m.swatch}}, legend.entries, true);
-  for (size_t i = 0; i < legend.entries.size(); ++i)
-    p.text({at.x + label_left(legend.entries, i, bar, m), at.y + m.swatch}, m.px, kText, legend.entries[i].label);
-  draw_row(p, {at.x + bar + 2 * m.gap, at.y}, legend.apart, m);
+  const float step = bar / static_cast<float>(legend.entries.size() - 1);
+  for (size_t i = 0; i < legend.entries.size(); ++i) {
+    const float x = at.x + step * static_cast<float>(i);
+    p.list().AddLine({x, at.y}, {x, at.y + m.swatch + m.gap}, kDim);
+    p.text({x + 3, at.y + m.swatch + above_text(m.px)}, m.px, kText, legend.entries[i].label);
+  }
+  draw_row(p, {at.x + bar + 2 * m.gap, at.y + (m.swatch - m.line) / 2}, legend.apart, m);
 }
 
 void draw_standing_bar(Painter& p, const Box& panel, const Legend& legend, const Metrics& m) {
@@ -85,9 +83,11 @@ void draw_standing_bar(Painter& p, const Box& panel, const Legend& legend, const
   const ImVec2 at{back.min.x + m.gap, back.min.y + m.gap};
   const size_t n = legend.entries.size();
   // The bar's ends stand at the middle of the first and last label.
-  fill_bar(p, {{at.x, at.y + m.line / 2}, {at.x + m.swatch, at.y + (static_cast<float>(n) - 0.5f) * m.line}}, legend.entries, false);
+  fill_bar(p, {{at.x, at.y + m.line / 2}, {at.x + m.swatch, at.y + (static_cast<float>(n) - 0.5f) * m.line}},
+           legend.entries, false);
   for (size_t i = 0; i < n; ++i)
-    p.text({at.x + m.swatch + m.gap, at.y + static_cast<float>(n - 1 - i) * m.line}, m.px, kText, legend.entries[i].label);
+    p.text({at.x + m.swatch + m.gap, at.y + static_cast<float>(n - 1 - i) * m.line + above_text(m.px)}, m.px, kText,
+           legend.entries[i].label);
   draw_row(p, {at.x, at.y + static_cast<float>(n) * m.line}, legend.apart, m);
 }
 
@@ -105,12 +105,13 @@ void draw_legend(Painter& p, const Box& panel, const Legend& legend, float px) {
     return draw_row(p, {back.min.x + m.gap, back.min.y + m.gap / 2}, legend.entries, m);
   }
   const Metrics m(px);
-  const float bar = std::min(panel.width() * 0.72f, px * 24);
-  const float apart = legend.apart.empty() ? 0 : row_width(legend.apart, m) + m.gap;
-  if (labels_apart(legend.entries, bar, m) && bar + apart + 2 * m.gap <= room) return draw_lying_bar(p, panel, legend, bar, m);
-  // A standing bar takes at most half the panel's height.
-  const float rows = static_cast<float>(legend.entries.size() + 2);
-  draw_standing_bar(p, panel, legend, Metrics(std::max(kSmallestPx, std::min(px, std::floor(panel.height() * 0.5f / rows / 1.28f)))));
+  const float beyond = std::max(label_width(legend.entries.back(), m), row_width(legend.apart, m) + 2 * m.gap);
+  const float bar = std::min(px * 22, room - beyond - 2 * m.gap);
+  if (labels_apart(legend.entries, bar, m)) return draw_lying_bar(p, panel, legend, bar, m);
+  // A standing bar takes little more than half the panel's height.
+  const float rows = static_cast<float>(legend.entries.size() + legend.apart.size());
+  draw_standing_bar(p, panel, legend,
+                    Metrics(std::max(kSmallestPx, std::min(px, std::floor(panel.height() * 0.55f / rows / 1.28f)))));
 }
 
 }  // namespace gbl::ui

@@ -45,11 +45,16 @@ void reveal_answer(Frame& f, const KeyEvent&) {
 bool press_in_chooser(Frame& f, const KeyEvent& e) {
   int& chosen = *f.state.chooser;
   const int last = static_cast<int>(f.state.lessons.size()) - 1;
-  if (e.key == "Up") chosen = std::max(0, chosen - 1);
-  else if (e.key == "Down") chosen = std::min(last, chosen + 1);
-  else if (e.key == "Enter" || e.key == "PgDn") choose(f, chosen);
-  else if (e.key.size() == 1 && e.key[0] >= '1' && e.key[0] <= '9') choose(f, e.key[0] - '1');
-  else return false;
+  if (e.key == "Up")
+    chosen = std::max(0, chosen - 1);
+  else if (e.key == "Down")
+    chosen = std::min(last, chosen + 1);
+  else if (e.key == "Enter" || e.key == "PgDn")
+    choose(f, chosen);
+  else if (e.key.size() == 1 && e.key[0] >= '1' && e.key[0] <= '9')
+    choose(f, e.key[0] - '1');
+  else
+    return false;
   return true;
 }
 
@@ -59,7 +64,8 @@ void draw_chooser(Frame& f) {
   const float rows = static_cast<float>(f.state.lessons.size()) + 2;
   const Box& main = f.layout.main_box();
   const float width = main.width() * 0.8f, height = rows * row;
-  const ImVec2 min{std::floor(main.min.x + (main.width() - width) / 2), std::floor(main.min.y + std::max(0.0f, main.height() - height) / 2)};
+  const ImVec2 min{std::floor(main.min.x + (main.width() - width) / 2),
+                   std::floor(main.min.y + std::max(0.0f, main.height() - height) / 2)};
   begin_overlay("lessons", {min, {min.x + width, min.y + height}}, kSurface);
   Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   const float pad = px * 0.6f;
@@ -79,7 +85,8 @@ void draw_chooser(Frame& f) {
     p.text_in({{at.x + cap, top}, {line.max.x - pad, line.max.y}}, px, kText,
               fmt::format("{}   ({} steps)", lesson.title, lesson.steps.size()));
   }
-  p.text_in({{at.x, at.y + pad / 2}, {min.x + width - pad, at.y + row}}, f.type.small, kDim, "Up, Down and Enter, or its number; Esc closes");
+  p.text_in({{at.x, at.y + pad / 2}, {min.x + width - pad, at.y + row}}, f.type.small, kDim,
+            "Up, Down and Enter, or its number; Esc closes");
   end_overlay();
   choose(f, clicked);
 }
@@ -91,15 +98,20 @@ void draw_lesson(Frame& f, const Box& strip) {
   const Box room = strip.inset(std::round(12 * f.layout.unit));
   const float px = f.type.small, head = line_height(px) + 2;
   const std::string place = fmt::format("{}   {}/{}", run.lesson.title, run.step + 1, run.lesson.steps.size());
-  const std::string_view hint = !step.question.empty() && !run.revealed ? "Enter: the answer   PgUp PgDn: step   Esc closes"
-                                                                        : "PgUp PgDn: step   Esc closes";
+  const std::string_view hint = !step.question.empty() && !run.revealed
+                                    ? "Enter: the answer   PgUp PgDn: step   Esc closes"
+                                    : "PgUp PgDn: step   Esc closes";
   const float hint_x = room.max.x - text_size(hint, px).x;
   f.painter.text({hint_x, room.min.y}, px, kDim, hint);
   f.painter.text_in({room.min, {hint_x - px, room.min.y + head}}, px, kAccent, place);
-  const float say_px = std::round(f.type.large * 1.1f);
-  std::vector<Paragraph> paragraphs{{step.say, kText, say_px}};
+  const float say_px = std::round(f.type.large * 1.3f);
+  std::vector<Paragraph> paragraphs;
+  // In large type the answer takes the place of what was said: the class has heard it.
+  if (!f.state.present || !run.revealed || step.answer.empty()) paragraphs.push_back({step.say, kText, say_px});
   if (!step.question.empty()) paragraphs.push_back({step.question, kAccent, say_px});
-  if (run.revealed && !step.answer.empty()) paragraphs.push_back({step.answer, kText, say_px});
+  // Invisible until asked for, but measured: nothing moves when it appears.
+  const bool measured = run.revealed || !f.state.present;
+  if (measured && !step.answer.empty()) paragraphs.push_back({step.answer, run.revealed ? kText : 0, say_px});
   draw_paragraphs(f.painter, {{room.min.x, room.min.y + head}, room.max}, paragraphs, std::round(6 * f.layout.unit));
 }
 

@@ -22,6 +22,8 @@ void draw_value(Frame& f, const Option& o, const ValueRow& r, bool selected) {
   if (ImGui::Selectable(text.c_str(), selected, available ? 0 : ImGuiSelectableFlags_Disabled)) edit_option(f, o, r.id);
   ImGui::PopStyleColor();
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  // Left of the list, so that it hides none of the other values.
+  ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - 4, ImGui::GetItemRectMin().y}, ImGuiCond_Always, {1, 0});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(f.type.body * 26);
   ImGui::TextUnformatted(r.help);
@@ -38,7 +40,8 @@ std::string sound_mark(const Option& o, const Settings& s) {
   return r.sound() ? "" : fmt::format("{} unsound: {}", kUnsoundSign, r.pitfall);
 }
 
-void draw_choice(Frame& f, const Option& o, const Box& box, float px) {
+void draw_choice(Frame& f, const Option& o, const Box& place, float px) {
+  const Box box{{std::floor(place.min.x), std::floor(place.min.y)}, {std::floor(place.max.x), std::floor(place.max.y)}};
   const ValueRow& now = o.values[chosen(o, f.settings)];
   const float arrow = box.height(), pad = std::round(px * 0.5f);
   px = f.painter.fit(now.label, {box.width() - arrow - 2 * pad, box.height()}, px, false);

@@ -29,7 +29,8 @@ std::vector<Page> make_pages() {
     const size_t n = (all.size() + kPageRows - 1) / kPageRows;
     for (size_t i = 0; i < n; ++i)
       pages.push_back({n > 1 ? fmt::format("{} ({}/{})", title, i + 1, n) : title,
-                       {all.begin() + static_cast<long>(all.size() * i / n), all.begin() + static_cast<long>(all.size() * (i + 1) / n)}});
+                       {all.begin() + static_cast<long>(all.size() * i / n),
+                        all.begin() + static_cast<long>(all.size() * (i + 1) / n)}});
   };
   add("How it is drawn", {Group::method, Group::view});
   add("What is true", {Group::truth});
@@ -75,17 +76,35 @@ struct Rows {
   float px, height, key, label;
 };
 
-void draw_row(Frame& f, Painter& p, const Box& row, const std::vector<const Option*>& page, const Option& o, const Rows& z) {
+void draw_row(Frame& f, Painter& p, const Box& row, const std::vector<const Option*>& page, const Option& o,
+              const Rows& z) {
   const std::string key = *o.key ? o.key : option_letter(page, o);
   const float top = row.min.y + (row.height() - line_height(z.px)) / 2;
   p.key_cap({row.min.x, top}, z.px, key);
-  p.text_in({{row.min.x + z.key, top}, {row.min.x + z.key + z.label, row.max.y}}, z.px, kText, o.label);
+  p.text_in({{row.min.x + z.key, top + above_text(z.px)}, {row.min.x + z.key + z.label - 4, row.max.y + z.px}}, z.px,
+            kText, o.label);
   const Box widget{{row.min.x + z.key + z.label, row.min.y}, row.max};
   if (o.kind != Kind::choice) return draw_field(f, o, widget, z.px);
   const bool unsound = !sound_mark(o, f.settings).empty();
   const float sign = text_size(kUnsoundSign, z.px).x * 1.2f;
   if (unsound) p.text({widget.max.x - sign, top}, z.px, kUnsound, kUnsoundSign);
   draw_choice(f, o, {widget.min, {widget.max.x - sign, widget.max.y}}, z.px);
+}
+
+// What is unsound now, and how to use the panel.
+void draw_hints(Frame& f, Painter& p, const Box& room) {
+  std::string unsound;
+  for (const Unsound& u : unsound_choices(f.settings))
+    unsound += fmt::format("{}{}: {}", unsound.empty() ? "" : ", ", option(u.path).label, u.pitfall);
+  if (!unsound.empty()) unsound = fmt::format("{} unsound: {}", kUnsoundSign, unsound);
+  const std::string hint =
+      fmt::format("A letter cycles (Shift: backwards) or opens the field; Enter applies. O: page {} of {}. Esc closes.",
+                  *f.state.options_page + 1, option_pages());
+  draw_paragraphs(
+      p, room,
+      {{unsound.empty() ? "All choices are sound." : unsound, unsound.empty() ? kDim : kUnsound, f.type.small},
+       {hint, kDim, f.type.small}},
+      4);
 }
 
 }  // namespace
@@ -134,7 +153,7 @@ void draw_options_panel(Frame& f) {
   const Box box = options_box(f), room = box.inset(std::round(12 * f.layout.unit));
   begin_overlay("options", box, kBackground);
   Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
-  const float head = line_height(f.type.large), hints = 3 * line_height(f.type.small);
+  const float head = line_height(f.type.large), hints = 5 * line_height(f.type.small);
   p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, page.title);
   const float row = std::min(f.type.body * 2, (room.height() - head - hints) / static_cast<float>(page.options.size()));
   const float px = std::max(kSmallestPx, std::floor(std::min(f.type.body, row * 0.62f)));
@@ -144,9 +163,7 @@ void draw_options_panel(Frame& f) {
     draw_row(f, p, {{room.min.x, std::round(y)}, {room.max.x, std::round(y + row) - 3}}, page.options, *o, z);
     y += row;
   }
-  const std::string hint = fmt::format("A letter cycles (Shift: backwards) or opens the field; Enter applies.\nO: page {} of {}, Esc closes.",
-                                       *f.state.options_page + 1, option_pages());
-  p.text_in({{room.min.x, room.max.y - hints}, room.max}, f.type.small, kDim, hint, true);
+  draw_hints(f, p, {{room.min.x, room.max.y - hints}, room.max});
   end_overlay();
 }
 

@@ -16,8 +16,9 @@ bool covered(const Frame& f, const Box& panel) {
 }
 
 void hover(Frame& f, View v, const Box& picture) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const glm::dvec2 inside((mouse.x - picture.min.x) / picture.width(), (mouse.y - picture.min.y) / picture.height());
+  const ImVec2 mouse = ImGui::GetIO().MousePos;  // a whole screen pixel: its centre is meant
+  const glm::dvec2 inside((mouse.x + 0.5 - picture.min.x) / picture.width(),
+                          (mouse.y + 0.5 - picture.min.y) / picture.height());
   if (inside.x < 0 || inside.y < 0 || inside.x >= 1 || inside.y >= 1) return;
   f.state.hovered = v;
   f.state.hovered_pixel = glm::ivec2(inside * glm::dvec2(f.frame_size()));
@@ -35,8 +36,10 @@ void use_mouse(Frame& f, View v, const Box& panel, const Box& picture) {
     hover(f, v, picture);
     if (ImGui::IsMouseDoubleClicked(0)) f.state.large = !f.state.large;
     if (ImGui::IsMouseClicked(1)) {
-      if (f.state.held_pixel == f.state.hovered_pixel) f.state.held_pixel.reset();
-      else f.state.held_pixel = f.state.hovered_pixel;
+      if (f.state.held_pixel == f.state.hovered_pixel)
+        f.state.held_pixel.reset();
+      else
+        f.state.held_pixel = f.state.hovered_pixel;
     }
   }
   if (v == f.layout.main && ImGui::IsItemActive() && dragged && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
@@ -75,10 +78,16 @@ void draw_texts_on_main(Frame& f, const Box& panel) {
     const double distance = distance_in_ranges(f.settings.camera, *light);
     at.y -= backed_line(f, at, panel.width() - 8, kAccent, f.type.large,
                         fmt::format("light {}   d/r {:.2f}   {}", f.settings.view.pick, distance,
-                                    distance < 1 ? "the camera is inside" : "the camera is outside")) + 4;
+                                    distance < 1 ? "the camera is inside" : "the camera is outside")) +
+            4;
   }
-  if (f.state.lesson && f.state.caption)
-    at.y -= backed_line(f, at, panel.width() - 8, kText, f.type.body, f.state.caption->sentence.whole()) + 4;
+  if (f.state.lesson && f.state.caption) {
+    const Sentence& s = f.state.caption->sentence;
+    if (!s.pitfall.empty())
+      at.y -= backed_line(f, at, panel.width() - 8, kUnsound, f.type.body,
+                          fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall));
+    at.y -= backed_line(f, at, panel.width() - 8, kText, f.type.body, s.text) + 4;
+  }
   if (!f.input.banner.empty()) backed_line(f, at, panel.width() - 8, kAccent, f.type.body, f.input.banner);
 }
 
@@ -92,7 +101,7 @@ void draw_panel(Frame& f, View v, const Box& panel) {
   draw_view_panel(f.painter, panel, v, image, f.settings, f.input.scene.bounds, look);
   if (f.state.hidden || (f.state.hovered == v && !f.state.held_pixel)) return;
   const std::optional<glm::ivec2> pixel = f.state.held_pixel ? f.state.held_pixel : f.state.hovered_pixel;
-  if (pixel) mark_pixel(f, picture_box(panel, image.size), *pixel);
+  if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, picture_box(panel, image.size), *pixel);
 }
 
 template <class Do>

@@ -61,13 +61,15 @@ void draw_sheet(const Sheet& sheet, const Settings& s, const Input& in) {
   p.text_in({{kMargin, kMargin + l.title}, {right, l.head}}, l.type.body, kDim, sheet.caption, true);
   for (size_t i = 0; i < sheet.tiles.size(); ++i) {
     const SheetTile& tile = sheet.tiles[i];
-    const float column = static_cast<float>(static_cast<int>(i) % l.columns), line = static_cast<float>(static_cast<int>(i) / l.columns);
+    const float column = static_cast<float>(static_cast<int>(i) % l.columns),
+                line = static_cast<float>(static_cast<int>(i) / l.columns);
     const ImVec2 min{kMargin + column * (sheet.tile_width + kGap), l.head + line * (l.picture + l.caption + kGap)};
     const Box panel{min, {min.x + sheet.tile_width, min.y + l.picture}};
     PanelLook look;
     look.px = l.type.small;
     draw_view_panel(p, panel, tile.view, tile.image, s, in.scene.bounds, look);
-    p.text_in({{min.x, panel.max.y + 4}, {panel.max.x, panel.max.y + l.caption}}, l.type.body, kText, tile.caption, true);
+    p.text_in({{min.x, panel.max.y + 4}, {panel.max.x, panel.max.y + l.caption}}, l.type.body, kText, tile.caption,
+              true);
   }
 }
 

@@ -38,15 +38,15 @@ struct State {
 
   Settings initial;
   bool present;
-  bool large;           // the chosen view alone, else the mosaic
+  bool large;  // the chosen view alone, else the mosaic
   float ui_scale = 1;
   bool hidden = false, help = false, playing = false;
   std::optional<View> card;         // whose card is open
   std::optional<int> options_page;  // of the all-options panel
   const Option* edited = nullptr;   // has the keyboard for a typed value
   bool focus_edited = false;
-  std::optional<int> chooser;       // the highlighted lesson
-  std::vector<Lesson> lessons;      // that the chooser offers
+  std::optional<int> chooser;   // the highlighted lesson
+  std::vector<Lesson> lessons;  // that the chooser offers
   bool go_to = false, focus_go_to = false;
   glm::ivec2 go_to_pixel{0};
 
@@ -88,10 +88,9 @@ void step_option(Frame&, const Option&, int step);  // choices cycle, whole numb
 void choose_preset(Frame&, int index);
 void show_view(Frame&, View);  // alone; again: all views
 
-
-void open_lesson(State&, Settings&, Lesson);  // at its first step
+void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
-void advance_motion(Frame&);          // time, glide and camera keys, once a frame
+void advance_motion(Frame&);                     // time, glide and camera keys, once a frame
 
 // ---- panels, one function each ------------------------------------------------------------------------------
 void draw_pictures(Frame&);

@@ -35,10 +35,12 @@ std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
   std::string text = fmt::format("pixel {}, {}", p.pixel.x, p.pixel.y);
   if (!p.surface) return text + "   no surface: the background";
   text += fmt::format("   albedo {}", three(p.albedo, 2));
-  if (facts(f.settings.layout).stores_roughness) text += fmt::format("   roughness {:.2f} {}", p.roughness, roughness_word(p.roughness));
+  if (facts(f.settings.layout).stores_roughness)
+    text += fmt::format("   roughness {:.2f} {}", p.roughness, roughness_word(p.roughness));
   text += fmt::format("   normal {} {}   {:.1f} units away", three(p.normal, 2), facing(p.normal), p.range);
-  text += fmt::format("   {:.0f} light{}   lit {} → shown {} {} {}", p.lights, p.lights == 1 ? "" : "s", three(p.lit, 3),
-                      shown_code(p.lit.r, f.settings), shown_code(p.lit.g, f.settings), shown_code(p.lit.b, f.settings));
+  text +=
+      fmt::format("   {:.0f} light{}   lit {} → shown {} {} {}", p.lights, p.lights == 1 ? "" : "s", three(p.lit, 3),
+                  shown_code(p.lit.r, f.settings), shown_code(p.lit.g, f.settings), shown_code(p.lit.b, f.settings));
   return text;
 }
 

@@ -15,7 +15,8 @@ constexpr const char* kFirstQuestion = "Press C. One pool of light goes out. Why
 std::vector<std::string> targets_of(const std::vector<Attachment>& all, Pass pass) {
   std::vector<std::string> lines;
   for (const Attachment& a : all)
-    if (a.written_by == pass) lines.push_back(fmt::format("{}   {}   {} B", a.name, row(a.format).label, row(a.format).bytes));
+    if (a.written_by == pass)
+      lines.push_back(fmt::format("{}   {}   {} B", a.name, row(a.format).label, row(a.format).bytes));
   return lines;
 }
 
@@ -25,31 +26,43 @@ constexpr size_t kMostTargets = 3;
 void draw_arrow(Painter& p, const Box& gap) {
   const float y = (gap.min.y + gap.max.y) / 2, size = gap.width() * 0.28f;
   p.list().AddLine({gap.min.x + size, y}, {gap.max.x - size, y}, kDim, 2);
-  p.list().AddTriangleFilled({gap.max.x - size, y - size}, {gap.max.x - size / 4, y}, {gap.max.x - size, y + size}, kDim);
+  p.list().AddTriangleFilled({gap.max.x - size, y - size}, {gap.max.x - size / 4, y}, {gap.max.x - size, y + size},
+                             kDim);
 }
 
-// Fill → Light → Combine, each with the targets that it writes; all lines in one size. Returns the height used.
+float widest(const std::vector<std::string>& lines, float px) {
+  float width = 0;
+  for (const std::string& line : lines) width = std::max(width, text_size(line, px).x);
+  return width;
+}
+
+// Fill → Light → Combine, each with the targets that it writes; all lines in one size, each box as wide as it needs
+// and a third of what is left over. Returns the height used.
 float draw_flow(Frame& f, const Box& room, float most_height) {
   const std::vector<Attachment> all = attachments(f.settings);
-  const float gap = std::round(28 * f.layout.unit), pad = std::round(8 * f.layout.unit);
-  const float width = (room.width() - 2 * gap) / 3;
-  float px = f.type.small;
-  const auto height = [&] { return 2 * pad + line_height(px + 2) + kMostTargets * line_height(px); };
-  while (px > kSmallestPx && height() > most_height) px -= 1;
-  for (const Pass pass : kFlow)
-    for (const std::string& line : targets_of(all, pass)) px = f.painter.fit(line, {width - 2.5f * pad, 99}, px, false);
+  const std::vector<std::string> lines[] = {targets_of(all, kFlow[0]), targets_of(all, kFlow[1]),
+                                            targets_of(all, kFlow[2])};
+  const float gap = std::round(28 * f.layout.unit), pad = std::round(7 * f.layout.unit);
+  float px = f.type.body;
+  const auto height = [&] { return 2 * pad + kMostTargets * line_height(px); };
+  const auto need = [&](int i) { return widest(lines[i], px) + text_size(pass_label(kFlow[i]), px + 2).x + 5 * pad; };
+  const auto spare = [&] { return room.width() - 2 * gap - need(0) - need(1) - need(2); };
+  while (px > kSmallestPx && (height() > most_height || spare() < 0)) px -= 1;
+  float x = room.min.x;
   for (int i = 0; i < 3; ++i) {
-    const float x = std::round(room.min.x + static_cast<float>(i) * (width + gap));
+    const float width = std::round(need(i) + spare() / 3);
     const Box box{{x, room.min.y}, {x + width, room.min.y + height()}};
     f.painter.fill(box, kSurface, 4);
     f.painter.fill({box.min, {box.min.x + pad / 2, box.max.y}}, pass_colour(kFlow[i]));
-    ImVec2 at{box.min.x + 1.5f * pad, box.min.y + pad};
-    at.y += f.painter.text(at, px + 2, pass_colour(kFlow[i]), pass_label(kFlow[i])).y;
-    for (const std::string& line : targets_of(all, kFlow[i])) {
-      f.painter.text(at, px, kText, line);
+    const ImVec2 title{box.min.x + 2 * pad, (box.min.y + box.max.y - px - 2) / 2};
+    ImVec2 at{title.x + f.painter.text(title, px + 2, pass_colour(kFlow[i]), pass_label(kFlow[i])).x + 2 * pad,
+              (box.min.y + box.max.y - static_cast<float>(lines[i].size()) * line_height(px)) / 2};
+    for (const std::string& line : lines[i]) {
+      f.painter.text({at.x, at.y + above_text(px)}, px, kText, line);
       at.y += line_height(px);
     }
     if (i > 0) draw_arrow(f.painter, {{x - gap, box.min.y}, {x, box.max.y}});
+    x += width + gap;
   }
   return height();
 }
@@ -59,16 +72,18 @@ void draw_caption(Frame& f, const Box& room) {
   const float bar = std::round(5 * f.layout.unit);
   f.painter.fill({room.min, {room.min.x + bar, room.max.y}}, s.pitfall.empty() ? kAccent : kUnsound);
   std::vector<Paragraph> paragraphs{{s.text, kText, f.type.large}};
-  if (!s.pitfall.empty()) paragraphs.push_back({fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall), kUnsound, f.type.large});
+  if (!s.pitfall.empty())
+    paragraphs.push_back({fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall), kUnsound, f.type.large});
   draw_paragraphs(f.painter, {{room.min.x + 3 * bar, room.min.y}, room.max}, paragraphs, 2);
 }
 
 void draw_sentences(Frame& f, const Box& room) {
   const ViewRow& v = row(f.chosen());
-  std::vector<Paragraph> paragraphs{
-      {fmt::format("{}{}{}: {}", v.key, *v.key ? "  " : "", v.label, v.sentence), kText, f.type.body}};
   const Preset* now = preset_of(f.settings);
-  if (now && std::string_view(now->id) == "start") paragraphs.push_back({kFirstQuestion, kAccent, f.type.large});
+  const bool start = now && std::string_view(now->id) == "start";
+  std::vector<Paragraph> paragraphs{{fmt::format("{}{}{}: {}", v.key, *v.key ? "  " : "", v.label, v.sentence), kText,
+                                     start ? f.type.body + 1 : f.type.large}};
+  if (start) paragraphs.push_back({kFirstQuestion, kAccent, f.type.large});
   draw_paragraphs(f.painter, room, paragraphs, std::round(5 * f.layout.unit));
 }
 
@@ -77,10 +92,12 @@ void draw_sentences(Frame& f, const Box& room) {
 void draw_strip(Frame& f) {
   if (f.state.lesson) return draw_lesson(f, f.layout.strip);
   const Box room = f.layout.strip.inset(std::round(10 * f.layout.unit));
-  const float used = draw_flow(f, room, room.height() * 0.52f) + std::round(8 * f.layout.unit);
+  const float used = draw_flow(f, room, room.height() * 0.57f) + std::round(8 * f.layout.unit);
   const Box rest{{room.min.x, room.min.y + used}, room.max};
-  if (f.state.caption) draw_caption(f, rest);
-  else draw_sentences(f, rest);
+  if (f.state.caption)
+    draw_caption(f, rest);
+  else
+    draw_sentences(f, rest);
 }
 
 }  // namespace gbl::ui

@@ -11,9 +11,9 @@ namespace {
 constexpr float kFontSizes[] = {9, 10, 11, 12, 13, 14, 15, 16, 18, 20, 22, 24, 27, 30, 34, 40, 48};
 
 // Beside Latin: Greek for formulas, dashes and …, super- and subscripts, arrows, mathematical signs, ⚠ ✓ ▶.
-constexpr ImWchar kGlyphs[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070, 0x209C,
-                               0x2190, 0x2195, 0x2200, 0x2265, 0x22C5, 0x22C5, 0x25A0, 0x25CF, 0x26A0, 0x26A0,
-                               0x2713, 0x2717, 0};
+constexpr ImWchar kGlyphs[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033,
+                               0x2070, 0x209C, 0x2190, 0x2195, 0x2200, 0x2265, 0x22C5, 0x22C5,
+                               0x25A0, 0x25CF, 0x26A0, 0x26A0, 0x2713, 0x2717, 0};
 
 ImVec4 colour(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
 
@@ -26,7 +26,8 @@ void set_colours(ImGuiStyle& style) {
   c[ImGuiCol_PopupBg] = colour(kSurface);
   c[ImGuiCol_Border] = colour(kLine);
   c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = c[ImGuiCol_Header] = colour(kRaised);
-  c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = colour(IM_COL32(62, 69, 82, 255));
+  c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] =
+      colour(IM_COL32(62, 69, 82, 255));
   c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = colour(IM_COL32(76, 84, 100, 255));
   c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = c[ImGuiCol_CheckMark] = colour(kAccent);
   c[ImGuiCol_NavHighlight] = colour(kAccent);
@@ -53,7 +54,7 @@ const char* pass_label(Pass pass) {
 
 Type type_for(float scale) {
   const auto px = [scale](float at_one) { return std::max(9.0f, std::round(at_one * scale)); };
-  return {px(13), px(15), px(20)};
+  return {px(13), px(15), px(21)};
 }
 
 void set_up_style() {

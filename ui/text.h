@@ -1,6 +1,7 @@
 #pragma once
 // Drawing text and boxes. A text is never cut off and never overlaps: it shrinks until it fits its place, and one
 // that no legible size fits is noted, so that a test can demand that there is none.
+#include <cmath>
 #include <imgui.h>
 #include <string>
 #include <string_view>
@@ -62,6 +63,7 @@ struct Field {
 void draw_fields(Painter&, const Box&, const std::vector<Field>&, float px);
 
 float line_height(float px);
+inline float above_text(float px) { return std::floor((line_height(px) - px) / 2); }  // centres it in its line
 float key_cap_width(std::string_view key, float px);
 
 }  // namespace gbl::ui

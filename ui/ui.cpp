@@ -37,6 +37,7 @@ void take_input(Frame& f, const std::vector<KeyEvent>& keys) {
   advance_motion(f);
   f.type = type_of(f.state);
   f.layout = make_layout(layout_input(f.state, f.settings, f.type));
+  if (f.state.options_page) f.layout.strip.max.x = std::min(f.layout.strip.max.x, options_box(f).min.x);
 }
 
 }  // namespace
@@ -77,9 +78,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   return requests;
 }
 
-void Ui::open_lesson(std::string_view id, Settings& settings) {
-  ui::open_lesson(*state_, settings, load_lesson(id));
-}
+void Ui::open_lesson(std::string_view id, Settings& settings) { ui::open_lesson(*state_, settings, load_lesson(id)); }
 
 bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }
 

@@ -2,8 +2,8 @@
 // The user interface: edits a Settings value and reads plain results. Never a gl* call, never GLFW: pictures are
 // opaque texture handles, and whatever needs the outside world is a request that the app carries out.
 #include <array>
-#include <memory>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +23,11 @@ struct PixelProbe {
   bool surface = false;  // false: background, the rest means nothing
   glm::vec3 albedo{0};   // linear
   float roughness = 0;
-  glm::vec3 normal{0};   // world, unit
+  glm::vec3 normal{0};    // world, unit
   glm::vec3 position{0};  // world
   float range = 0;        // distance along the view axis, world units
   glm::vec3 diffuse_light{0}, specular_light{0}, lit{0};
-  float lights = 0;       // lights in range that the method shaded here
+  float lights = 0;  // lights in range that the method shaded here
 };
 
 struct ViewImage {
@@ -40,13 +40,13 @@ struct Input {
   const Scene& scene;
   const std::vector<Light>& lights;  // of these settings
   FeatureSet features;
-  const FrameReport& report;         // of the last frame that was drawn
+  const FrameReport& report;                 // of the last frame that was drawn
   std::array<ViewImage, kViewCount> images;  // by View
-  std::optional<PixelProbe> probe;   // of the pixel asked for
-  std::string message;               // an error or a notice to show until the next key; empty = none
-  std::string banner;                // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
-  double seconds = 0;                // a clock for motion, not part of any picture
-  std::vector<std::string> held;     // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
+  std::optional<PixelProbe> probe;           // of the pixel asked for
+  std::string message;                       // an error or a notice to show until the next key; empty = none
+  std::string banner;                        // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  double seconds = 0;                        // a clock for motion, not part of any picture
+  std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
 
 // A key as the user knows it: the character printed on it ("c", "[", "+", ","), or a name: "Home" "End" "PgUp" "PgDn"
@@ -59,12 +59,12 @@ struct KeyEvent {
 // Carried out by the app after the frame.
 struct Requests {
   bool reload_shaders = false;
-  bool save_figure = false;               // the window's picture, as seen
+  bool save_figure = false;  // the window's picture, as seen
   bool quit = false;
-  std::optional<glm::ivec2> probe;        // pixel under the cursor
+  std::optional<glm::ivec2> probe;         // pixel under the cursor
   std::array<bool, kViewCount> visible{};  // views that the next frame must draw
-  glm::ivec2 picture_size{0};             // of the largest picture on screen, in screen pixels
-  std::optional<double> wake_in;          // seconds until the window changes by itself (a caption ends)
+  glm::ivec2 picture_size{0};              // of the largest picture on screen, in screen pixels
+  std::optional<double> wake_in;           // seconds until the window changes by itself (a caption ends)
 };
 
 // Window state that is no part of a picture's settings.
@@ -72,7 +72,8 @@ struct State;
 
 class Ui {
  public:
-  explicit Ui(Settings initial, bool present);  // initial = the state as loaded: Home returns to it. present = large type
+  explicit Ui(Settings initial,
+              bool present);  // initial = the state as loaded: Home returns to it. present = large type
   ~Ui();
 
   // Load fonts into the current ImGui context and set its style; once, before the first frame.
@@ -96,14 +97,14 @@ class Ui {
 struct SheetTile {
   View view;
   ViewImage image;
-  std::string caption;  // replaces the view's label if not empty, e.g. "cull back"
+  std::string caption;  // below the picture; may be empty
 };
 struct Sheet {
-  std::string title;            // first line
-  std::string caption;          // settings in words, below the title
+  std::string title;    // first line
+  std::string caption;  // settings in words, below the title
   std::vector<SheetTile> tiles;
   int columns = 3;
-  float tile_width = 480;       // pixels
+  float tile_width = 480;  // pixels
 };
 glm::ivec2 sheet_size(const Sheet&, const Settings&);  // pixels that draw_sheet needs
 void draw_sheet(const Sheet&, const Settings&, const Input&);
@@ -113,8 +114,8 @@ void draw_sheet(const Sheet&, const Settings&, const Input&);
 
 // ---- keys ------------------------------------------------------------------------------------------------
 struct KeyRow {
-  std::string key;   // as printed: "C", "[ ]", "Shift ,"
-  std::string id;    // "lights.cull" or the command's id
+  std::string key;  // as printed: "C", "[ ]", "Shift ,"
+  std::string id;   // "lights.cull" or the command's id
   std::string help;
 };
 std::vector<KeyRow> key_rows();  // axes' keys from the options table, then commands; for F1 and `list keys`

@@ -28,7 +28,7 @@ void draw_badge(Painter& p, const Box& panel, const ViewRow& view, std::string s
   const Box back{{panel.min.x + 2, panel.min.y + 2}, {panel.min.x + 2 + width(px) + 5 * pad, panel.min.y + 2 + height}};
   p.fill(back, kBacking);
   p.fill({back.min, {back.min.x + pad, back.max.y}}, pass_colour(view.written_by));
-  ImVec2 at{back.min.x + 2 * pad, back.min.y + 1};
+  ImVec2 at{back.min.x + 2 * pad, back.min.y + 1 + above_text(px)};
   if (*view.key) at.x += p.text(at, px, kAccent, view.key).x + pad;
   at.x += p.text(at, px, kText, name).x + 2 * pad;
   p.text(at, px, kDim, stored);
@@ -48,8 +48,8 @@ Box picture_box(const Box& panel, glm::ivec2 picture) {
   const float shape = static_cast<float>(picture.x) / static_cast<float>(picture.y);
   const float room = panel.width() / panel.height();
   if (std::abs(shape / room - 1) < 0.01f) return panel;  // rounding of sizes: fill the panel
-  const ImVec2 size = shape > room ? ImVec2{panel.width(), panel.width() / shape}
-                                   : ImVec2{panel.height() * shape, panel.height()};
+  const ImVec2 size =
+      shape > room ? ImVec2{panel.width(), panel.width() / shape} : ImVec2{panel.height() * shape, panel.height()};
   const ImVec2 min{std::round(panel.min.x + (panel.width() - size.x) / 2),
                    std::round(panel.min.y + (panel.height() - size.y) / 2)};
   return {min, {min.x + std::round(size.x), min.y + std::round(size.y)}};

@@ -1,0 +1,255 @@
+// Every row of the key table, pressed.
+#include <cctype>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <set>
+
+#include "renderer/lessons.h"
+#include "renderer/validate.h"
+#include "tests/ui_desk.h"
+
+namespace gbl::ui {
+namespace {
+
+std::string lower(std::string_view key) {
+  return {static_cast<char>(std::tolower(static_cast<unsigned char>(key[0])))};
+}
+
+TEST(Keys, EveryOptionsKeyStepsItAndShiftStepsBack) {
+  Desk desk;
+  for (const Option& o : options()) {
+    if (!*o.key || o.kind != Kind::choice) continue;
+    const Settings before = desk.settings;
+    Settings expected = before;
+    cycle(o, expected, 1, {});
+    desk.press(lower(o.key));
+    EXPECT_EQ(desk.settings, expected) << o.path;
+    desk.press(lower(o.key), true);
+    EXPECT_EQ(desk.settings, before) << o.path << " backwards";
+    for (size_t i = 0; i < o.values.size(); ++i) desk.press(lower(o.key));
+    EXPECT_EQ(desk.settings, before) << o.path << " all the way round";
+  }
+}
+
+TEST(Keys, TheFirstPressOfCIsBack) {
+  Desk desk;
+  EXPECT_EQ(desk.settings.lights.cull, LightCull::flip);
+  const LightCull order[] = {LightCull::back, LightCull::none, LightCull::front, LightCull::flip_safe, LightCull::flip};
+  for (const LightCull cull : order) {
+    desk.press("c");
+    EXPECT_EQ(desk.settings.lights.cull, cull);
+  }
+}
+
+TEST(Keys, BracketsWalkThePowersOfTwoToBothEnds) {
+  Desk desk;
+  for (const int n : {32, 16, 8, 4, 2, 1, 0, 0}) {
+    desk.press("[");
+    EXPECT_EQ(desk.settings.lights.count, n);
+  }
+  for (int n = 1; n <= kMaxLights; n *= 2) {
+    desk.press("]");
+    EXPECT_EQ(desk.settings.lights.count, n);
+  }
+  desk.press("]");
+  EXPECT_EQ(desk.settings.lights.count, kMaxLights);
+  desk.settings.lights.count = 100;
+  desk.press("]");
+  EXPECT_EQ(desk.settings.lights.count, 128);
+  desk.settings.lights.count = 100;
+  desk.press("[");
+  EXPECT_EQ(desk.settings.lights.count, 64);
+}
+
+TEST(Keys, BGoesRoundThePresetsAndKeepsTheSize) {
+  Desk desk;
+  desk.settings.size = {800, 450};
+  for (size_t i = 1; i <= presets().size(); ++i) {
+    desk.press("b");
+    const Preset* now = preset_of(desk.settings);
+    ASSERT_TRUE(now);
+    EXPECT_EQ(now, &presets()[i % presets().size()]);
+    EXPECT_EQ(desk.settings.size, glm::ivec2(800, 450));
+  }
+  desk.press("b", true);
+  EXPECT_EQ(preset_of(desk.settings), &presets().back());
+}
+
+TEST(Keys, AllViewsInTheMosaicAndOneAlone) {
+  Desk desk;
+  EXPECT_EQ(desk.visible(), 8);
+  EXPECT_EQ(desk.requests.picture_size, glm::ivec2(800, 450));
+  for (const ViewRow& v : views()) {
+    if (!*v.key) continue;
+    desk.press(v.key);
+    EXPECT_EQ(desk.settings.view.main, v.id);
+    EXPECT_EQ(desk.visible(), 1) << v.id;
+    EXPECT_TRUE(desk.requests.visible[static_cast<size_t>(v.view)]) << v.id;
+    EXPECT_EQ(desk.requests.picture_size, glm::ivec2(1200, 675));
+    desk.press("0");
+    EXPECT_EQ(desk.visible(), 8);
+    desk.press(v.key);
+    desk.press(v.key);
+    EXPECT_EQ(desk.visible(), 8) << "the same key again";
+  }
+}
+
+TEST(Keys, HomeIsTheStateAsLoaded) {
+  Settings loaded = preset("nclgl-fixed").make();
+  loaded.lights.count = 5;
+  Desk desk({1600, 900}, false, loaded);
+  for (const char* key : {"c", "n", "]", "b", "l", "7", "space", "."}) desk.press(key);
+  desk.held = {"w"};
+  desk.seconds += 0.1;
+  desk.frame();
+  desk.held.clear();
+  EXPECT_NE(desk.settings, loaded);
+  desk.press("Home");
+  EXPECT_EQ(desk.settings, loaded);
+  EXPECT_EQ(desk.visible(), 7);  // nclgl stores no roughness
+}
+
+TEST(Keys, NoKeyOfTheTableMakesSettingsInvalidOrTextsOverflow) {
+  for (const KeyRow& row : key_rows()) {
+    for (const KeyEvent& once : presses_of(row)) {
+      for (const bool shift : {once.shift, true}) {
+        Desk desk;
+        KeyEvent e = once;
+        e.shift = shift;
+        for (int i = 0; i < 3; ++i) {
+          desk.frame({e});
+          EXPECT_TRUE(validate(desk.settings, {}).empty()) << row.id;
+          EXPECT_TRUE(desk.ui.cut_texts().empty()) << row.id << ": " << desk.ui.cut_texts().front();
+        }
+      }
+    }
+  }
+}
+
+TEST(Keys, EachKeyIsInOneRowAndEachRowHasAHelp) {
+  std::set<std::string> seen, ids;
+  for (const KeyRow& row : key_rows()) {
+    EXPECT_FALSE(row.help.empty()) << row.id;
+    EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+    for (const KeyEvent& e : presses_of(row))
+      EXPECT_TRUE(seen.insert(fmt::format("{}{}{}", e.ctrl, e.shift, e.key)).second) << e.key << " of " << row.id;
+  }
+}
+
+TEST(Keys, ARequestLastsOneFrame) {
+  Desk desk;
+  EXPECT_TRUE(desk.press("F5").reload_shaders);
+  EXPECT_TRUE(desk.press("F12").save_figure);
+  EXPECT_FALSE(desk.frame().save_figure);
+}
+
+TEST(Keys, SoloFollowsThePickAndEndsWithItsLight) {
+  Desk desk;
+  desk.settings.view.pick = 63;
+  desk.press(".");
+  EXPECT_EQ(desk.settings.view.pick, 0);
+  desk.press(",");
+  EXPECT_EQ(desk.settings.view.pick, 63);
+  desk.press(",", true);
+  EXPECT_EQ(desk.settings.lights.only, 63);
+  desk.press(",");
+  EXPECT_EQ(desk.settings.lights.only, 62);
+  desk.press("[");  // 32 lights: there is no light 62
+  EXPECT_EQ(desk.settings.lights.only, -1);
+  desk.press(",");
+  desk.press(".", true);
+  desk.press(".", true);
+  EXPECT_EQ(desk.settings.lights.only, -1);
+}
+
+TEST(Keys, AnOptionIsReachedByItsKeyOrByALetterOfItsPage) {
+  Desk desk;
+  std::set<std::string> reached;
+  for (int page = 0; page < option_pages(); ++page) {
+    desk.press("o");
+    const std::vector<const Option*> all = options_on_page(page);
+    for (const Option* o : all) {
+      reached.insert(o->path);
+      if (*o->key) continue;
+      const std::string letter = option_letter(all, *o);
+      ASSERT_EQ(letter.size(), 1u) << o->path;
+      if (o->kind != Kind::choice) continue;
+      Settings expected = desk.settings;
+      cycle(*o, expected, 1, {});
+      desk.press(lower(letter));
+      EXPECT_EQ(desk.settings, expected) << o->path;
+      cycle(*o, expected, -1, {});
+      desk.press(lower(letter), true);
+      EXPECT_EQ(desk.settings, expected) << o->path;
+    }
+  }
+  EXPECT_EQ(reached.size(), options().size());
+}
+
+TEST(Keys, ArrowsNudgeTheHeldPixelAndCtrlGGoesToOne) {
+  Desk desk;
+  desk.press("g", false, true);
+  desk.frame();
+  desk.type("7");
+  ASSERT_TRUE(desk.requests.probe);
+  EXPECT_EQ(*desk.requests.probe, glm::ivec2(7, desk.settings.size.y / 2));
+  desk.press("Left");
+  EXPECT_EQ(desk.requests.probe->x, 6);
+  desk.press("Left", true);
+  EXPECT_EQ(desk.requests.probe->x, 0);
+  desk.press("Up", true);
+  EXPECT_EQ(desk.requests.probe->y, desk.settings.size.y / 2 - 10);
+  desk.press("Esc");
+  EXPECT_FALSE(desk.requests.probe);
+}
+
+TEST(Keys, PanelKeysAreOnOnlyBetweenF6AndEsc) {
+  Desk desk;
+  const auto on = [] { return (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0; };
+  EXPECT_FALSE(on());
+  desk.press("F6");
+  EXPECT_TRUE(on());
+  desk.press("Space");
+  EXPECT_FALSE(desk.ui.moving(desk.settings));
+  desk.press("Esc");
+  EXPECT_FALSE(on());
+}
+
+TEST(Keys, EveryLessonIsSteppedToItsEndAndBack) {
+  const std::vector<std::string> ids = lesson_ids();
+  for (size_t i = 0; i < ids.size(); ++i) {
+    const Lesson lesson = load_lesson(ids[i]);
+    for (const bool present : {false, true}) {
+      Desk desk({1600, 900}, present);
+      const glm::ivec2 size = desk.settings.size;
+      desk.press("PgDn");
+      for (size_t k = 0; k < i; ++k) desk.press("Down");
+      desk.press("Enter");
+      for (size_t step = 0; step < lesson.steps.size(); ++step) {
+        if (step > 0) desk.press("PgDn");
+        desk.press("Enter");
+        Settings expected = settings_at(lesson, step);
+        expected.size = size;
+        expected.view.main = desk.settings.view.main;
+        EXPECT_EQ(desk.settings, expected) << ids[i] << " step " << step + 1;
+        if (!lesson.steps[step].view.empty()) {
+          EXPECT_EQ(desk.settings.view.main, lesson.steps[step].view);
+        }
+        EXPECT_EQ(desk.visible() <= 1, lesson.steps[step].large);
+        EXPECT_TRUE(desk.ui.cut_texts().empty())
+            << ids[i] << " step " << step + 1 << ": " << desk.ui.cut_texts().front();
+      }
+      const Settings last = desk.settings;
+      desk.press("PgDn");
+      EXPECT_EQ(desk.settings, last) << "the end is the end";
+      for (size_t step = 1; step < lesson.steps.size(); ++step) desk.press("PgUp");
+      Settings first = settings_at(lesson, 0);
+      first.size = size;
+      first.view.main = desk.settings.view.main;
+      EXPECT_EQ(desk.settings, first);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gbl::ui
