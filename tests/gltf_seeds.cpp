@@ -35,7 +35,8 @@ GltfFile lit_file() {
 
 GltfFile sparse_file() {
   GltfFile file = triangle_file();
-  const int indices = file.view({0, 2}), values = file.view(Bytes(24, 0x40));
+  const int indices = file.view({0, 2}),
+            values = file.view(Bytes{0, 0, 64, 64, 0, 0, 64, 64, 0, 0, 64, 64, 0, 0, 0, 65, 0, 0, 64, 65, 0, 0, 0, 65});
   file.doc["accessors"][0]["sparse"] = {{"count", 2},
                                         {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
                                         {"values", {{"bufferView", values}}}};
