@@ -22,24 +22,34 @@ constexpr bool in_order(const ValueRow (&table)[N]) {
 
 // clang-format off
 constexpr ValueRow kLightSource[] = {
+  {.value = at(LightSource::scene), .id = "scene", .label = "the scene's own", .help = "the lights that the scene brings"},
   {.value = at(LightSource::generated), .id = "generated", .label = "generated", .help = "N lights placed by the scene's generator from a seed, at constant mean overlap"},
 };
 constexpr ValueRow kLightSpot[] = {
   {.value = at(LightSpot::cone), .id = "cone", .label = "cone", .help = "spot lights end smoothly between an inner and an outer angle"},
 };
 constexpr ValueRow kAttenuation[] = {
+  {.value = at(Attenuation::none), .id = "none", .label = "none", .help = "full strength up to the range, then nothing"},
   {.value = at(Attenuation::linear), .id = "linear", .label = "linear 1 - d/r", .help = "falls in a straight line to 0 at the range; a visible kink at the rim", .source = "nclgl tutorial 15, pointlightfragment.glsl line 27"},
+  {.value = at(Attenuation::quadratic), .id = "quadratic", .label = "1/(1 + 0.7 d + 1.8 d2)", .help = "never reaches 0: cut off at the range", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
+  {.value = at(Attenuation::ramp), .id = "ramp", .label = "1/max(1, 0.2 + 0.4 x + 0.4 x2)", .help = "x = 4 d/r: full near the light, then a kink, cut off at the range", .source = "engine blog, parts 30 and 31"},
+  {.value = at(Attenuation::inverse_linear), .id = "inverse-linear", .label = "1/(1 + 9 d/r)", .help = "falls to a tenth, cut off at the range", .source = "tutorial 08-2, point lights"},
+  {.value = at(Attenuation::windowed), .id = "windowed", .label = "inverse square, windowed", .help = "(1 - (d/r)^4)^2 / d^2: physical near the light, smoothly 0 at the range", .source = "Karis 2013, Real Shading in Unreal Engine 4"},
 };
 constexpr ValueRow kRangeKind[] = {
   {.value = at(RangeKind::source), .id = "source", .label = "as the source says", .help = "the light's own range; nothing is lit at or beyond it"},
 };
 constexpr ValueRow kShadingModel[] = {
+  {.value = at(ShadingModel::lambert), .id = "lambert", .label = "Lambert", .help = "diffuse only", .source = "Lambert 1760, Photometria"},
+  {.value = at(ShadingModel::phong), .id = "phong", .label = "Phong", .help = "highlight about the mirrored light direction", .source = "Phong 1975, Illumination for computer generated pictures"},
   {.value = at(ShadingModel::blinn_phong), .id = "blinn-phong", .label = "Blinn-Phong", .help = "half-vector highlight, only where the surface faces the light", .source = "Blinn 1977, Models of light reflection for computer synthesized pictures"},
+  {.value = at(ShadingModel::ggx), .id = "ggx", .label = "GGX", .help = "microfacets from roughness, metals and F0", .source = "Walter et al. 2007, Microfacet models for refraction through rough surfaces"},
 };
 constexpr ValueRow kBackgroundFill[] = {
   {.value = at(BackgroundFill::black), .id = "black", .label = "black", .help = "0 where no surface is"},
   {.value = at(BackgroundFill::grey), .id = "grey", .label = "grey", .help = "linear 0.2 where no surface is"},
   {.value = at(BackgroundFill::colour), .id = "colour", .label = "colour", .help = "background.colour (linear) where no surface is"},
+  {.value = at(BackgroundFill::sky), .id = "sky", .label = "sky", .help = "a blue gradient from horizon to zenith where no surface is"},
 };
 constexpr ValueRow kNormalMap[] = {
   {.value = at(NormalMap::on), .id = "on", .label = "on", .help = "normal maps bend the shading normal"},
@@ -56,6 +66,7 @@ constexpr ValueRow kColour[] = {
 constexpr ValueRow kLayout[] = {
   {.value = at(Layout::albedo_roughness), .id = "albedo-roughness", .label = "albedo + roughness", .help = "one RGBA8: sRGB-coded albedo, roughness", .cost = "4 B/px"},
   {.value = at(Layout::nclgl), .id = "nclgl", .label = "nclgl colour", .help = "one RGBA8: colour as the texture has it, alpha unused", .cost = "4 B/px", .source = "nclgl tutorial 15, bufferFragment.glsl line 22"},
+  {.value = at(Layout::float32), .id = "float32", .label = "float, nothing lost", .help = "albedo, roughness, F0, metal, emission and ambient occlusion in floats: the zero-error end", .cost = "48 B/px"},
 };
 constexpr ValueRow kNormalEncoding[] = {
   {.value = at(NormalEncoding::oct16), .id = "oct16", .label = "octahedral 16+16", .help = "the sphere unfolded to a square, two 16-bit codes", .cost = "32 bits", .source = "Meyer et al. 2010, On floating-point normal vectors; Cigolle et al. 2014, Survey of efficient representations"},

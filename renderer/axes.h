@@ -23,18 +23,18 @@ struct ValueRow {
 };
 
 // ---- what is true -----------------------------------------------------------------------------------------
-enum class LightSource { generated };
+enum class LightSource { scene, generated };
 enum class LightSpot { cone };
-enum class Attenuation { linear };
+enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed };
 enum class RangeKind { source };
-enum class ShadingModel { blinn_phong };
-enum class BackgroundFill { black, grey, colour };
+enum class ShadingModel { lambert, phong, blinn_phong, ggx };
+enum class BackgroundFill { black, grey, colour, sky };
 enum class NormalMap { on, off };
 enum class AlbedoSource { textured, white };
 enum class Colour { srgb, as_tutorial };
 
 // ---- how it is drawn --------------------------------------------------------------------------------------
-enum class Layout { albedo_roughness, nclgl };
+enum class Layout { albedo_roughness, nclgl, float32 };
 enum class NormalEncoding { oct16, oct8, xyz8, stereo16f };
 enum class NormalSpace { world };
 enum class PositionSource { depth };

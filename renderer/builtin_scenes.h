@@ -12,6 +12,7 @@ struct BuiltinScene {
   const char* label;
   const char* help;
   Scene (*build)();
+  const char* look = "{}";  // settings that belong to the scene, as a patch: its lights' source and count, its profile
 };
 
 std::span<const BuiltinScene> builtin_scenes();

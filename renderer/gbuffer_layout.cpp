@@ -16,6 +16,9 @@ constexpr MaterialRow kMaterials[] = {
     {Layout::nclgl,
      {"gbuffer.colour", Pass::geometry, Stores::material, Format::rgba8, "rgb: colour, sRGB-coded; a: 1, unused"},
      {false, true, "the nclgl layout stores no roughness: the exponent is one constant for all surfaces"}},
+    {Layout::float32,
+     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba32f, "rgb: albedo, linear; a: roughness"},
+     {true, false, ""}},
 };
 
 Format normal_format(NormalEncoding e) {
@@ -52,6 +55,10 @@ std::vector<Attachment> attachments(const Settings& s) {
   all.push_back(kMaterials[static_cast<int>(s.layout)].attachment);
   all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, normal_format(s.normal.encoding),
                  row(s.normal.encoding).label});
+  if (s.layout == Layout::float32) {
+    all.push_back({"gbuffer.reflectance", Pass::geometry, Stores::reflectance, Format::rgba32f, "rgb: F0; a: occlusion"});
+    all.push_back({"gbuffer.emission", Pass::geometry, Stores::emission, Format::rgba32f, "rgb: radiance it sends out itself"});
+  }
   all.push_back({"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s.depth.format),
                  "window depth 0..1, near to far"});
   const Format sum = accumulation_format(s.accumulation.format);

@@ -10,7 +10,7 @@
 namespace gbl {
 
 enum class Pass { geometry, lighting, combine, display };
-enum class Stores { material, normal, depth, light, diffuse_light, specular_light, lit };
+enum class Stores { material, normal, reflectance, emission, depth, light, diffuse_light, specular_light, lit };
 
 struct Attachment {
   const char* name;      // also the sampler's and the debug label's

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 #include "renderer/random.h"
 
@@ -28,8 +29,52 @@ std::vector<Light> generated_lights(const LightGrid& grid, int count, unsigned s
   return lights;
 }
 
+namespace {
+
+double box_range(const LightBox& box, int count, const glm::dvec3& colour) {
+  switch (box.rule) {
+    case BoxRange::fixed: return box.range;
+    case BoxRange::overlap: {
+      const glm::dvec3 e = box.max - box.min;
+      return std::cbrt(3 * box.overlap * e.x * e.y * e.z / (4 * glm::pi<double>() * count));
+    }
+    case BoxRange::quadratic: {
+      // 1.8 r^2 + 0.7 r + 1 - 256/5 * brightest = 0; a light too dim to reach the threshold anywhere has no range.
+      const double c = 1 - 256.0 / 5 * std::max({colour.x, colour.y, colour.z});
+      return c < 0 ? (-0.7 + std::sqrt(0.49 - 7.2 * c)) / 3.6 : 0;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Light> generated_lights(const LightBox& box, int count, unsigned seed) {
+  std::vector<Light> lights(count);
+  Pcg32 random(seed);
+  for (Light& l : lights) {
+    for (int k = 0; k < 3; ++k) l.position[k] = random.in(box.min[k], box.max[k]);
+    for (int k = 0; k < 3; ++k) l.colour[k] = random.in(box.colour_min, box.colour_max);
+    l.range = box_range(box, count, l.colour);
+  }
+  return lights;
+}
+
+namespace {
+
+std::vector<Light> from_source(const Settings& s, const Scene& scene) {
+  if (s.lights.source == LightSource::scene) return scene.lights;
+  if (scene.light_box) return generated_lights(*scene.light_box, s.lights.count, s.lights.seed);
+  return generated_lights(scene.light_grid, s.lights.count, s.lights.seed, s.time_s);
+}
+
+}  // namespace
+
 std::vector<Light> lights_of(const Settings& s, const Scene& scene) {
-  std::vector<Light> lights = generated_lights(scene.light_grid, s.lights.count, s.lights.seed, s.time_s);
+  std::vector<Light> lights = from_source(s, scene);
+  // An inverse square of unit intensity is dark a few units away: generated lights are made bright for their range.
+  if (s.attenuation == Attenuation::windowed && s.lights.source == LightSource::generated)
+    for (Light& l : lights) l.colour *= l.range * l.range / 16;
   for (Light& l : lights) l.range *= s.lights.range_scale;
   if (s.lights.first >= 0) lights.resize(std::min<size_t>(lights.size(), s.lights.first));
   if (s.lights.only >= 0) {

@@ -23,7 +23,7 @@ Settings start() {
   s.lights.volume = {VolumeLevel::l2, VolumeFit::circumscribed, VolumeClip::planes, VolumeDepth::none};
   s.shading.specular = 0.04;  // a dielectric's reflectance: the lobe comes from roughness and is normalised
   s.view.volumes = VolumeOverlay::picked;
-  s.view.pick = 33;  // a distant light, in the upper middle of the picture
+  s.view.pick = 41;  // a distant light, in the upper middle of the picture
   return s;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,20 @@ struct LightGrid {
   double degrees_per_s = 10;      // about +Y
 };
 
+// How a scene places N generated lights in a box: uniformly, by seed.
+enum class BoxRange {
+  overlap,   // so that a point of the box lies in `overlap` lights on average, whatever N is
+  fixed,     // `range` each
+  quadratic  // where colour / (1 + 0.7 d + 1.8 d^2) falls to 5/256 (source 2)
+};
+struct LightBox {
+  glm::dvec3 min{0}, max{0};
+  BoxRange rule = BoxRange::overlap;
+  double overlap = 4;
+  double range = 1;
+  double colour_min = 0.5, colour_max = 1.5;  // each channel
+};
+
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
@@ -112,7 +127,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Instance> instances;
   std::vector<Light> lights;          // the scene's own
-  LightGrid light_grid;               // for generated lights
+  std::optional<LightBox> light_box;  // for generated lights; without one, the grid
+  LightGrid light_grid;
   Bounds bounds;                      // of all instances, world
   Camera camera;                      // the scene's own view
   std::vector<std::string> warnings;  // what was skipped or replaced, a line each

@@ -9,11 +9,23 @@ uniform sampler2D light_sum;
 #endif
 layout(location = 0) out vec4 lit;
 
+vec3 background_radiance(vec2 ndc) {
+#if SKY
+  // A clear day, from horizon to zenith; below the horizon the ground's haze.
+  vec3 direction = normalize(ray_forward.xyz + ndc.x * ray_right.xyz + ndc.y * ray_up.xyz);
+  float height = direction.y;
+  if (height < 0.0) return mix(vec3(0.42, 0.45, 0.47), vec3(0.16, 0.15, 0.14), min(-4.0 * height, 1.0));
+  return mix(vec3(0.62, 0.74, 0.86), vec3(0.10, 0.24, 0.55), pow(height, 0.6));
+#else
+  return background.rgb;
+#endif
+}
+
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   Surface s = read_surface(texel);
   if (!s.present) {
-    lit = vec4(background.rgb, 0.0);
+    lit = vec4(background_radiance(ndc_of_pixel(gl_FragCoord.xy)), 0.0);
     return;
   }
 #if SPLIT
@@ -21,5 +33,5 @@ void main() {
 #else
   vec3 light = texelFetch(light_sum, texel, 0).rgb;
 #endif
-  lit = vec4(shading.z * s.albedo + light, 1.0);
+  lit = vec4(shading.z * s.occlusion * (s.albedo + s.f0) + s.emissive + light, 1.0);
 }

@@ -8,8 +8,7 @@ void main() {
   Surface s = read_surface(ivec2(gl_FragCoord.xy));
   float lit = 0.0;
   for (int i = 0; s.present && i < lights.x; ++i) {
-    Light light = read_light(i);
-    if (distance(s.position, light.position) < light.range) lit += 1.0;
+    if (reaches(read_light(i), s.position)) lit += 1.0;
   }
   count = vec4(lit, 0.0, 0.0, 0.0);
 }

@@ -9,7 +9,7 @@ void main() {
     Light light = read_light(i);
     sums.counts.x += 1.0;
 #if RADIUS_TEST
-    if (distance(s.position, light.position) >= light.range) continue;
+    if (!reaches(light, s.position)) continue;
 #endif
     shade_pair(s, light, sums);
   }

@@ -12,7 +12,7 @@ layout(location = 0) out vec4 out_sum;
 
 struct Sums {
   Lighting light;
-  vec3 counts;  // pairs tested, pairs shaded, pairs shaded with distance < range
+  vec3 counts;  // pairs tested, pairs shaded, pairs shaded that the light reaches
 };
 
 Sums no_sums() { return Sums(Lighting(vec3(0.0), vec3(0.0)), vec3(0.0)); }
@@ -20,7 +20,7 @@ Sums no_sums() { return Sums(Lighting(vec3(0.0), vec3(0.0)), vec3(0.0)); }
 void shade_pair(Surface s, Light light, inout Sums sums) {
 #if OUTPUT == OUTPUT_COUNT
   sums.counts.y += 1.0;
-  if (distance(s.position, light.position) < light.range) sums.counts.z += 1.0;
+  if (reaches(light, s.position)) sums.counts.z += 1.0;
 #else
   Lighting one = shade(s, light);
   sums.light.diffuse += one.diffuse;

@@ -5,13 +5,42 @@ struct Light {
   vec3 position;  // relative to the camera, world axes
   float range;
   vec3 colour;
+#if LIGHT_KINDS
+  int kind;
+  vec3 direction;  // unit, from the light
+  float inner_cos, outer_cos;
+#endif
 };
 
 uniform sampler2D light_data;
 
-vec4 light_texel(int k) { return texelFetch(light_data, ivec2(k % LIGHT_TEXTURE_WIDTH, k / LIGHT_TEXTURE_WIDTH), 0); }
+vec4 light_texel(int k) { return texelFetch(light_data, ivec2(k % RECORD_TEXTURE_WIDTH, k / RECORD_TEXTURE_WIDTH), 0); }
 
 Light read_light(int i) {
+  Light light;
   vec4 place = light_texel(i * LIGHT_TEXELS);
-  return Light(place.xyz, place.w, light_texel(i * LIGHT_TEXELS + 1).rgb);
+  vec4 colour = light_texel(i * LIGHT_TEXELS + 1);
+  light.position = place.xyz;
+  light.range = place.w;
+  light.colour = colour.rgb;
+#if LIGHT_KINDS
+  vec4 aim = light_texel(i * LIGHT_TEXELS + 2);
+  light.kind = int(colour.w);
+  light.direction = aim.xyz;
+  light.inner_cos = aim.w;
+  light.outer_cos = light_texel(i * LIGHT_TEXELS + 3).x;
+#endif
+  return light;
+}
+
+// Does the light reach this point at all? Regardless of the surface's side and the light's colour.
+bool reaches(Light light, vec3 position) {
+#if LIGHT_KINDS
+  if (light.kind == LIGHT_DIRECTIONAL) return true;
+  vec3 from_light = position - light.position;
+  float d = length(from_light);
+  return d < light.range && (light.kind == LIGHT_POINT || dot(from_light, light.direction) > light.outer_cos * d);
+#else
+  return distance(position, light.position) < light.range;
+#endif
 }

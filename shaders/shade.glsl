@@ -1,4 +1,6 @@
 // What one light does to one surface point. Every lighting method calls this and nothing else.
+// A light's colour is the radiance that a white Lambert surface sends back when it faces the light at unit
+// attenuation, so no 1/pi appears below.
 #include "surface.glsl"
 #include "lights.glsl"
 
@@ -7,9 +9,29 @@ struct Lighting {
   vec3 specular;
 };
 
-float attenuation(float distance, float range) {
-  return 1.0 - clamp(distance / range, 0.0, 1.0);  // linear: 0 at and beyond the range
+const float kPi = 3.14159265358979;
+
+float attenuation(float d, float range) {
+#if ATTENUATION == ATTENUATION_NONE
+  return 1.0;
+#elif ATTENUATION == ATTENUATION_LINEAR
+  return 1.0 - clamp(d / range, 0.0, 1.0);
+#elif ATTENUATION == ATTENUATION_QUADRATIC
+  return 1.0 / (1.0 + 0.7 * d + 1.8 * d * d);
+#elif ATTENUATION == ATTENUATION_RAMP
+  float x = 4.0 * d / range;
+  return 1.0 / max(1.0, 0.2 + 0.4 * x + 0.4 * x * x);
+#elif ATTENUATION == ATTENUATION_INVERSE_LINEAR
+  return 1.0 / (1.0 + 9.0 * d / range);
+#else
+  // Karis 2013, "Real Shading in Unreal Engine 4"; nearer than 1 cm it stops growing, or a pixel on a lamp overflows.
+  float x = d / range;
+  float window = clamp(1.0 - x * x * x * x, 0.0, 1.0);
+  return window * window / max(d * d, 1e-4);
+#endif
 }
+
+// ---- highlights: radiance per unit of light, N.L included where the model has it ---------------------------
 
 // Blinn-Phong exponent. 2/alpha^2 - 2 with alpha = roughness^2 matches the lobe of a microfacet surface
 // (Walter et al. 2007, "Microfacet models for refraction through rough surfaces", section 5.2).
@@ -24,18 +46,74 @@ float exponent_of(float roughness) {
 // exponent is the tutorials' and is left as they print it.
 float lobe_scale(float exponent) { return shading.x >= 0.0 ? 1.0 : (exponent + 2.0) / 8.0; }
 
+// Base 0 with exponent 0 is left open by GLSL: the lab says 1, as C does.
+float lobe(float cosine, float exponent) {
+  return shading.y * lobe_scale(exponent) * (exponent > 0.0 ? pow(max(cosine, 0.0), exponent) : 1.0);
+}
+
+// Walter et al. 2007 (D), Heitz 2014 (correlated Smith visibility), Schlick 1994 (Fresnel); as glTF 2.0, appendix B.
+float D_GGX(float n_dot_h, float alpha) {
+  float a2 = alpha * alpha;
+  float k = n_dot_h * n_dot_h * (a2 - 1.0) + 1.0;
+  return a2 / (kPi * k * k);
+}
+float V_SmithGGX(float n_dot_l, float n_dot_v, float alpha) {
+  float a2 = alpha * alpha;
+  float l = n_dot_v * sqrt(n_dot_l * n_dot_l * (1.0 - a2) + a2);
+  float v = n_dot_l * sqrt(n_dot_v * n_dot_v * (1.0 - a2) + a2);
+  return 0.5 / max(l + v, 1e-7);
+}
+vec3 F_Schlick(vec3 f0, float v_dot_h) { return f0 + (1.0 - f0) * pow(1.0 - v_dot_h, 5.0); }
+
+Lighting reflected(Surface s, vec3 to_light, float n_dot_l) {
+#if SHADING_MODEL == MODEL_LAMBERT
+  return Lighting(vec3(n_dot_l), vec3(0.0));
+#else
+  vec3 to_eye = ray_forward.w > 0.5 ? -ray_forward.xyz : -normalize(s.position);
+#if SHADING_MODEL == MODEL_PHONG
+  return Lighting(vec3(n_dot_l), vec3(lobe(dot(reflect(-to_light, s.normal), to_eye), exponent_of(s.roughness))));
+#else
+  vec3 half_way = normalize(to_light + to_eye);
+  float n_dot_h = max(dot(s.normal, half_way), 0.0);
+#if SHADING_MODEL == MODEL_BLINN_PHONG
+  return Lighting(vec3(n_dot_l), vec3(lobe(n_dot_h, exponent_of(s.roughness))));
+#else
+  float roughness = max(s.roughness, 0.045);  // part of the model: below it the lobe is narrower than a float resolves
+  float alpha = roughness * roughness;
+  float n_dot_v = max(dot(s.normal, to_eye), 1e-4);
+  vec3 fresnel = F_Schlick(s.f0, max(dot(to_eye, half_way), 0.0));
+  return Lighting(n_dot_l * (1.0 - fresnel),
+                  n_dot_l * kPi * D_GGX(n_dot_h, alpha) * V_SmithGGX(n_dot_l, n_dot_v, alpha) * fresnel);
+#endif
+#endif
+#endif
+}
+
 Lighting shade(Surface s, Light light) {
   Lighting none = Lighting(vec3(0.0), vec3(0.0));
   vec3 to_light = light.position - s.position;
-  float distance = length(to_light);
-  if (distance >= light.range) return none;
-  to_light /= max(distance, 1e-6);  // a light on the surface must not divide by 0
+  float d = length(to_light);
+  float strength = 1.0;
+#if LIGHT_KINDS
+  if (light.kind == LIGHT_DIRECTIONAL) {
+    to_light = -light.direction;
+  } else
+#endif
+  {
+    if (d >= light.range) return none;
+    to_light /= max(d, 1e-6);  // a light on the surface must not divide by 0
+    strength = attenuation(d, light.range);
+#if LIGHT_KINDS
+    // Between the cones the glTF extension's square of a linear ramp (KHR_lights_punctual, inner and outer angles).
+    if (light.kind == LIGHT_SPOT) {
+      float edge = clamp((dot(-to_light, light.direction) - light.outer_cos) / max(light.inner_cos - light.outer_cos, 1e-4), 0.0, 1.0);
+      strength *= edge * edge;
+    }
+#endif
+  }
   float n_dot_l = dot(s.normal, to_light);
   if (!(n_dot_l > 0.0)) return none;  // turned away: no diffuse, and no highlight either (`specular-ungated`)
-  vec3 to_eye = ray_forward.w > 0.5 ? -ray_forward.xyz : -normalize(s.position);
-  vec3 half_way = normalize(to_light + to_eye);
-  float n_dot_h = max(dot(s.normal, half_way), 0.0);
-  vec3 arriving = light.colour * attenuation(distance, light.range);
-  float exponent = exponent_of(s.roughness);
-  return Lighting(arriving * n_dot_l, arriving * (shading.y * lobe_scale(exponent) * pow(n_dot_h, exponent)));
+  Lighting r = reflected(s, to_light, n_dot_l);
+  vec3 arriving = light.colour * strength;
+  return Lighting(arriving * r.diffuse, arriving * r.specular);
 }

@@ -6,10 +6,26 @@
 #define GBL_BLOCK(name) layout(std140) uniform name
 #endif
 
-// Light records in the light texture: kTexelsPerLight RGBA32F texels each.
-//   texel 0: position relative to the camera, range        texel 1: colour, 0
-#define LIGHT_TEXELS 2
-#define LIGHT_TEXTURE_WIDTH 256
+// Light records in the light texture, RGBA32F texels:
+//   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, -, -, -
+#define LIGHT_TEXELS 4
+#define LIGHT_POINT 0
+#define LIGHT_SPOT 1
+#define LIGHT_DIRECTIONAL 2
+
+// Instance records in the instance texture, RGBA32F texels: 0-3 columns of clip_from_object, 4-6 rows of
+// relative_from_object (3x4), 7-9 columns of the normals' matrix.
+#define INSTANCE_TEXELS 10
+
+#define RECORD_TEXTURE_WIDTH 512
+
+// The textures of a material, in this order wherever they are listed.
+#define MATERIAL_TEXTURES 5
+#define BASE_COLOUR_MAP 0
+#define NORMAL_MAP_ 1
+#define ROUGHNESS_MAP 2
+#define EMISSIVE_MAP 3
+#define OCCLUSION_MAP 4
 
 // Blocks of pixels summed by one texel of the count reduction: 16 x 16 x 16384 lights < 2^24 is exact in float.
 #define COUNT_BLOCK 16

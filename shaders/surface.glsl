@@ -7,28 +7,56 @@ struct Surface {
   bool present;      // false: background, the rest means nothing
   vec3 position;     // relative to the camera, world axes
   vec3 normal;       // world, unit
-  vec3 albedo;       // linear
+  vec3 albedo;       // linear: base colour x (1 - metal)
+  vec3 f0;           // reflectance at normal incidence
   float roughness;   // perceptual, 0..1
+  vec3 emissive;     // radiance
+  float occlusion;   // of ambient light, 0..1
 };
+
+// The classic models know no reflectance of dielectrics: their highlight is shading.specular.
+#if SHADING_MODEL == MODEL_GGX
+const float kDielectricF0 = 0.04;
+#else
+const float kDielectricF0 = 0.0;
+#endif
 
 // A layout without roughness: as if every surface were this rough.
 const float kRoughnessNotStored = 0.5;
 
-// ---- material: one RGBA8 in both layouts -----------------------------------------------------------------
+// ---- material: what each layout keeps; the rest is as unpack_material says ---------------------------------
+#if LAYOUT == LAYOUT_FLOAT32
+#define MATERIAL_TARGETS 3
+#else
+#define MATERIAL_TARGETS 1
+#endif
+
 vec4 pack_material(Surface s) {
 #if LAYOUT == LAYOUT_ALBEDO_ROUGHNESS
   return vec4(quantised8(coded_from_linear(s.albedo)), quantised8(vec3(s.roughness)).x);
 #elif LAYOUT == LAYOUT_NCLGL
   return vec4(quantised8(coded_from_linear(s.albedo)), 1.0);
+#else
+  return vec4(s.albedo, s.roughness);
 #endif
 }
+vec4 pack_reflectance(Surface s) { return vec4(s.f0, s.occlusion); }
+vec4 pack_emission(Surface s) { return vec4(s.emissive, 1.0); }
 
 void unpack_material(vec4 stored, inout Surface s) {
+  s.f0 = vec3(kDielectricF0);
+  s.emissive = vec3(0.0);
+  s.occlusion = 1.0;
+#if LAYOUT == LAYOUT_FLOAT32
+  s.albedo = stored.rgb;
+  s.roughness = stored.a;
+#else
   s.albedo = linear_from_coded(stored.rgb);
 #if LAYOUT == LAYOUT_ALBEDO_ROUGHNESS
   s.roughness = stored.a;
 #else
   s.roughness = kRoughnessNotStored;
+#endif
 #endif
 }
 

@@ -12,12 +12,14 @@ void apply_cull(Cull cull) {
   glCullFace(cull == Cull::front ? GL_FRONT : GL_BACK);
 }
 
+void apply_winding(Winding w) { glFrontFace(w == Winding::clockwise ? GL_CW : GL_CCW); }
+
 void apply(const PassState& s) {
   // GL ignores depth writes while the test is off.
   enable(GL_DEPTH_TEST, s.depth != DepthTest::off || s.depth_write);
   glDepthFunc(s.depth == DepthTest::less ? GL_LESS : GL_ALWAYS);
   glDepthMask(s.depth_write);
-  glFrontFace(GL_CCW);
+  apply_winding(Winding::counter_clockwise);
   apply_cull(s.cull);
   enable(GL_BLEND, s.blend != Blend::off);
   glBlendEquation(GL_FUNC_ADD);
@@ -37,7 +39,7 @@ void apply(const PassState& s) {
   glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
   glDisable(GL_PRIMITIVE_RESTART);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  for (unsigned unit = 0; unit < 12; ++unit) glBindSampler(unit, 0);
+  for (unsigned unit = 0; unit < 16; ++unit) glBindSampler(unit, 0);
 }
 
 }  // namespace gbl::gl

@@ -5,6 +5,7 @@ namespace gbl::gl {
 enum class DepthTest { off, less };
 enum class Cull { off, back, front };
 enum class Blend { off, add, alpha };
+enum class Winding { counter_clockwise, clockwise };
 
 struct PassState {
   DepthTest depth = DepthTest::off;
@@ -14,6 +15,7 @@ struct PassState {
 };
 
 void apply(const PassState&);
-void apply_cull(Cull);  // the one state that changes per light (source 0's flip)
+void apply_cull(Cull);        // changes per light (source 0's flip) and per material (double-sided)
+void apply_winding(Winding);  // of front faces: clockwise where an object is mirrored
 
 }  // namespace gbl::gl

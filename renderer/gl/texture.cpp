@@ -24,11 +24,19 @@ constexpr GlFormat kGlFormats[] = {
 };
 static_assert(std::size(kGlFormats) == std::size(kFormats));
 
-void set_sampling(GLenum min, GLenum mag, GLenum wrap) {
+constexpr GLenum kAddress[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
+constexpr GLenum kFiltering[] = {GL_NEAREST,
+                                 GL_LINEAR,
+                                 GL_NEAREST_MIPMAP_NEAREST,
+                                 GL_LINEAR_MIPMAP_NEAREST,
+                                 GL_NEAREST_MIPMAP_LINEAR,
+                                 GL_LINEAR_MIPMAP_LINEAR};
+
+void set_sampling(GLenum min, GLenum mag, GLenum wrap_u, GLenum wrap_v) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(min));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(mag));
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap));
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap_u));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap_v));
 }
 
 }  // namespace
@@ -48,7 +56,7 @@ Texture make_texture(const TextureDesc& d) {
   state_pixel_storage();
   glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), d.size.x, d.size.y, 0, f.format, f.type, nullptr);
   const GLenum filter = d.linear_filter ? GL_LINEAR : GL_NEAREST;
-  set_sampling(filter, filter, GL_CLAMP_TO_EDGE);
+  set_sampling(filter, filter, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
   set_label(GL_TEXTURE, t.id(), d.label);
   return t;
 }
@@ -60,8 +68,9 @@ Texture make_image(const ImageDesc& d) {
   state_pixel_storage();
   glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA,
                GL_UNSIGNED_BYTE, d.rgba);
-  set_sampling(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
-  glGenerateMipmap(GL_TEXTURE_2D);
+  set_sampling(kFiltering[static_cast<int>(d.min)], kFiltering[static_cast<int>(d.mag)],
+               kAddress[static_cast<int>(d.address_u)], kAddress[static_cast<int>(d.address_v)]);
+  if (d.min != Filtering::nearest && d.min != Filtering::linear) glGenerateMipmap(GL_TEXTURE_2D);
   set_label(GL_TEXTURE, t.id(), d.label);
   return t;
 }

@@ -24,13 +24,18 @@ struct TextureDesc {
 };
 Texture make_texture(const TextureDesc&);  // contents undefined
 
+enum class Address { repeat, clamp, mirror };
+enum class Filtering { nearest, linear, nearest_mipmap_nearest, linear_mipmap_nearest, nearest_mipmap_linear, linear_mipmap_linear };
+
 struct ImageDesc {
   glm::ivec2 size{1, 1};
   const void* rgba = nullptr;  // 8 bits a channel, first row = texture row 0
   bool srgb = false;           // decoded to linear when sampled
+  Address address_u = Address::repeat, address_v = Address::repeat;
+  Filtering min = Filtering::linear_mipmap_linear, mag = Filtering::linear;
   std::string_view label;
 };
-Texture make_image(const ImageDesc&);  // repeats, mipmapped
+Texture make_image(const ImageDesc&);  // with mipmaps if `min` reads them
 
 using Framebuffer = Object<Kind::framebuffer>;
 struct FramebufferDesc {

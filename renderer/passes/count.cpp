@@ -12,7 +12,7 @@ void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& ta
   if (lit_too) {
     bind_gbuffer(frame);
     bind_lights(frame);
-    glUseProgram(programs_.get("fullscreen.vert", "count_lit.frag", gbuffer_defines(s)).id());
+    glUseProgram(programs_.get("fullscreen.vert", "count_lit.frag", frame.defines()).id());
     shapes_.draw_fullscreen();
   } else {
     constexpr float kZero[4] = {};
@@ -32,7 +32,7 @@ void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& ta
 void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& targets, glm::ivec2 pixel) {
   if (!targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
-  gl::Defines defines = gbuffer_defines(s);
+  gl::Defines defines = frame.defines();
   defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
   const gl::Program& program = programs_.get("fullscreen.vert", "probe.frag", defines);
   Canvas& canvas = targets.probe();

@@ -1,5 +1,6 @@
 #include "renderer/passes/frame.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "renderer/passes/frame_block.h"
@@ -12,7 +13,18 @@ LightOutput output_of(const Settings& s) {
   return s.accumulation.targets == AccumulationTargets::split ? LightOutput::split : LightOutput::sum;
 }
 
+bool has_transparent(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.alpha_mode == AlphaMode::blend; });
+}
+
 }  // namespace
+
+gl::Defines Frame::defines() const {
+  gl::Defines d = gbuffer_defines(settings);
+  d.push_back({"LIGHT_KINDS", targets.light_kinds});
+  return d;
+}
 
 // Views, counts and probes may follow a frame of other settings on the same device, so each of them uploads the
 // frame's facts anew: they are a few hundred bytes.
@@ -26,7 +38,9 @@ Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targ
 FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& targets) {
   targets.prepare(s);
   targets.lights = lights_of(s, scene.scene());
-  targets.counts_valid = targets.counts_lit_valid = false;
+  targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = false;
+  targets.light_kinds = std::any_of(targets.lights.begin(), targets.lights.end(),
+                                    [](const Light& l) { return l.kind != LightKind::point; });
   targets.count_read.drop();  // an answer still under way is the last frame's, not this one's
   targets.probe_read.drop();
   targets.timers.next_frame();
@@ -44,6 +58,10 @@ FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& 
   {
     const gl::PassScope scope(targets.timers, "combine");
     report.draw_calls += draw_combine(frame);
+  }
+  if (has_transparent(scene.scene())) {
+    const gl::PassScope scope(targets.timers, "forward");
+    report.draw_calls += draw_forward(frame);
   }
   report.size = s.size;
   report.time_source = gl::time_source();

@@ -20,6 +20,9 @@ struct Frame {
   Shapes& shapes;
   double aspect;
   glm::dmat4 clip_from_relative;
+
+  // Of every program that reads the G-buffer or the lights.
+  gl::Defines defines() const;
 };
 
 struct ViewOptions {

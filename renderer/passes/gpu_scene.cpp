@@ -1,5 +1,8 @@
 #include "renderer/passes/gpu_scene.h"
 
+#include <map>
+#include <tuple>
+
 namespace gbl {
 namespace {
 
@@ -11,16 +14,48 @@ GpuScene::GpuMesh upload(const Mesh& mesh) {
                                          {{0, 3, offsetof(Vertex, position)},
                                           {1, 3, offsetof(Vertex, normal)},
                                           {2, 4, offsetof(Vertex, tangent)},
-                                          {3, 2, offsetof(Vertex, uv)}},
+                                          {3, 2, offsetof(Vertex, uv)},
+                                          {4, 2, offsetof(Vertex, uv1)},
+                                          {5, 4, offsetof(Vertex, colour)}},
                                          &m.indices);
   m.index_count = static_cast<GLsizei>(mesh.indices.size());
   return m;
+}
+
+gl::ImageDesc described(const Texture& t, bool srgb) {
+  const auto address = [](Wrap w) { return static_cast<gl::Address>(w); };
+  const auto filtering = [](Filter f) { return static_cast<gl::Filtering>(f); };
+  return {.size = t.size,
+          .rgba = t.rgba.data(),
+          .srgb = srgb,
+          .address_u = address(t.sampler.wrap_u),
+          .address_v = address(t.sampler.wrap_v),
+          .min = filtering(t.sampler.min),
+          .mag = filtering(t.sampler.mag),
+          .label = t.name};
+}
+static_assert(static_cast<int>(Wrap::mirror) == static_cast<int>(gl::Address::mirror));
+static_assert(static_cast<int>(Filter::linear_mipmap_linear) == static_cast<int>(gl::Filtering::linear_mipmap_linear));
+
+std::vector<GpuScene::Batch> batched(const Scene& scene) {
+  std::map<std::tuple<int, int, bool>, GpuScene::Batch> by_key;
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const bool mirrored = glm::determinant(glm::dmat3(instance.world_from_object)) < 0;
+    GpuScene::Batch& b = by_key[{instance.mesh, instance.material, mirrored}];
+    b.mesh = instance.mesh, b.material = instance.material, b.mirrored = mirrored;
+    b.instances.push_back(static_cast<int>(i));
+  }
+  std::vector<GpuScene::Batch> out;
+  for (auto& [key, batch] : by_key) out.push_back(std::move(batch));
+  return out;
 }
 
 }  // namespace
 
 GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
   for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m));
+  batches_ = batched(*scene_);
   const uint8_t white[] = {255, 255, 255, 255}, flat[] = {128, 128, 255, 255};
   white_ = gl::make_image({.rgba = white, .label = "white"});
   flat_normal_ = gl::make_image({.rgba = flat, .label = "flat normal"});
@@ -30,7 +65,7 @@ GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
 
 const gl::Texture& GpuScene::uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const {
   const Texture& t = scene_->textures[i];
-  if (!set[i].name) set[i] = gl::make_image({.size = t.size, .rgba = t.rgba.data(), .srgb = srgb, .label = t.name});
+  if (!set[i].name) set[i] = gl::make_image(described(t, srgb));
   return set[i];
 }
 

@@ -22,6 +22,14 @@ class GpuScene {
   };
   const GpuMesh& mesh(int i) const { return meshes_[i]; }
 
+  // Instances that share mesh, material and winding: one draw.
+  struct Batch {
+    int mesh = 0, material = 0;
+    bool mirrored = false;
+    std::vector<int> instances;
+  };
+  const std::vector<Batch>& batches() const { return batches_; }
+
   // kNoTexture gives a neutral texel. A colour texture is decoded from sRGB when sampled, except as-tutorial.
   const gl::Texture& colour_texture(int i, Colour) const;
   const gl::Texture& data_texture(int i) const;         // white if none
@@ -32,6 +40,7 @@ class GpuScene {
 
   std::shared_ptr<const Scene> scene_;
   std::vector<GpuMesh> meshes_;
+  std::vector<Batch> batches_;
   gl::Texture white_, flat_normal_;
   mutable std::vector<gl::Texture> srgb_, linear_;  // made at first use: a scene may need only one of the two
 };

@@ -3,7 +3,7 @@
 namespace gbl {
 
 gl::Defines LightingPass::defines() const {
-  gl::Defines d = gbuffer_defines(frame.settings);
+  gl::Defines d = frame.defines();
   d.push_back({"OUTPUT", static_cast<int>(output)});
   return d;
 }

@@ -11,6 +11,7 @@ glm::vec3 background_of(const Settings& s) {
     case BackgroundFill::black: return glm::vec3(0);
     case BackgroundFill::grey: return glm::vec3(0.2f);
     case BackgroundFill::colour: return glm::vec3(s.background.colour);
+    case BackgroundFill::sky: break;  // a function of direction, in the shader
   }
   return glm::vec3(0);
 }
@@ -31,6 +32,8 @@ void bind_gbuffer(const Frame& frame) {
   bind_if_stored(frame, Stores::material, kMaterialUnit);
   bind_if_stored(frame, Stores::normal, kNormalUnit);
   bind_if_stored(frame, Stores::depth, kDepthUnit);
+  bind_if_stored(frame, Stores::reflectance, kReflectanceUnit);
+  bind_if_stored(frame, Stores::emission, kEmissionUnit);
 }
 
 void bind_lights(const Frame& frame) { gl::bind_texture(kLightUnit, frame.targets.light_data); }
@@ -69,23 +72,30 @@ void upload_frame_block(const Frame& frame, glm::dvec2 depth_view_range) {
 
 void upload_lights(const Frame& frame) {
   Targets& t = frame.targets;
-  const int texels = std::max<int>(1, static_cast<int>(t.lights.size())) * LIGHT_TEXELS;
-  const glm::ivec2 size(LIGHT_TEXTURE_WIDTH, (texels + LIGHT_TEXTURE_WIDTH - 1) / LIGHT_TEXTURE_WIDTH);
-  t.light_texels.assign(static_cast<size_t>(size.x) * size.y, glm::vec4(0));
-  for (size_t i = 0; i < t.lights.size(); ++i) {
-    const Light& l = t.lights[i];
-    t.light_texels[i * LIGHT_TEXELS] = glm::vec4(l.position - frame.settings.camera.position, l.range);
-    t.light_texels[i * LIGHT_TEXELS + 1] = glm::vec4(l.colour, 0);
+  t.record_texels.clear();
+  for (const Light& l : t.lights) {
+    t.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
+    t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
+    t.record_texels.emplace_back(l.direction, l.inner_cos);
+    t.record_texels.emplace_back(l.outer_cos, 0, 0, 0);
   }
-  if (t.light_data.size != size || !t.light_data.name)
-    t.light_data = gl::make_texture({.size = size, .format = Format::rgba32f, .label = "lights"});
-  gl::bind_texture(kLightUnit, t.light_data);
+  upload_records(t.light_data, t.record_texels, kLightUnit, "lights");
+}
+
+void upload_records(gl::Texture& texture, std::vector<glm::vec4>& texels, Unit unit, const char* label) {
+  const int rows_needed = (static_cast<int>(texels.size()) + RECORD_TEXTURE_WIDTH - 1) / RECORD_TEXTURE_WIDTH;
+  const glm::ivec2 size(RECORD_TEXTURE_WIDTH, std::max(1, rows_needed));
+  texels.resize(static_cast<size_t>(size.x) * size.y);
+  if (texture.size != size || !texture.name)
+    texture = gl::make_texture({.size = size, .format = Format::rgba32f, .label = label});
+  gl::bind_texture(unit, texture);
   gl::state_pixel_storage();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, t.light_texels.data());
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
 }
 
 int draw_combine(const Frame& frame) {
-  gl::Defines defines = gbuffer_defines(frame.settings);
+  gl::Defines defines = frame.defines();
+  defines.push_back({"SKY", frame.settings.background.fill == BackgroundFill::sky});
   defines.push_back({"SPLIT", frame.settings.accumulation.targets == AccumulationTargets::split});
   const gl::Program& program = frame.programs.get("fullscreen.vert", "combine.frag", defines);
   begin_drawing(frame.targets.framebuffer(Pass::combine), frame.settings.size, {});

@@ -5,6 +5,9 @@
 
 namespace gbl {
 
+// Has the light an end, so that a volume can hold it?
+inline bool bounded(const Light& l) { return l.kind != LightKind::directional && l.range < kEndless; }
+
 // Bind where a pass draws, set the viewport, apply its state.
 void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&);
 
@@ -15,8 +18,11 @@ void bind_light_sums(const Frame&);
 
 void upload_frame_block(const Frame&, glm::dvec2 depth_view_range);
 void upload_lights(const Frame&);
+// Rows of float records as a texture; remade only when it must grow or shrink.
+void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const char* label);
 
 int draw_geometry(const Frame&);                                          // -> draw calls
+int draw_forward(const Frame&);                                           // -> draw calls
 int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);  // -> draw calls
 int draw_combine(const Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);

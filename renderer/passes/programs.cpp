@@ -17,6 +17,8 @@ constexpr SamplerUnit kSamplers[] = {
     {"light_sum", kDiffuseUnit},         {"lit", kLitUnit},                 {"counts", kCountUnit},
     {"counts_lit", kLitUnit},            {"base_colour_map", kBaseColourUnit}, {"normal_map", kNormalMapUnit},
     {"roughness_map", kRoughnessUnit},
+    {"emissive_map", kEmissiveUnit},     {"occlusion_map", kOcclusionUnit}, {"instance_data", kInstanceUnit},
+    {"gbuffer_reflectance", kReflectanceUnit}, {"gbuffer_emission", kEmissionUnit},
 };
 
 std::string constant_name(const char* prefix, const char* id) {
@@ -48,6 +50,8 @@ gl::Defines gbuffer_defines(const Settings& s) {
   append_axis(out, "NORMAL_ENCODING", "NORMAL_", s.normal.encoding);
   append_axis(out, "POSITION_RECONSTRUCT", "RECONSTRUCT_", s.position.reconstruct);
   append_axis(out, "COLOUR", "COLOUR_", s.colour);
+  append_axis(out, "SHADING_MODEL", "MODEL_", s.shading.model);
+  append_axis(out, "ATTENUATION", "ATTENUATION_", s.attenuation);
   return out;
 }
 

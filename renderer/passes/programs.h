@@ -14,11 +14,13 @@ namespace gbl {
 enum class LightOutput { split, sum, count };
 
 // Texture units: sampler name -> unit, one table for all programs.
-enum Unit { kMaterialUnit, kNormalUnit, kDepthUnit, kLightUnit, kDiffuseUnit, kSpecularUnit, kLitUnit, kCountUnit,
-            kBaseColourUnit, kNormalMapUnit, kRoughnessUnit };
+enum Unit {
+  kMaterialUnit, kNormalUnit, kDepthUnit, kReflectanceUnit, kEmissionUnit, kLightUnit, kDiffuseUnit, kSpecularUnit,
+  kLitUnit, kCountUnit, kInstanceUnit, kBaseColourUnit, kNormalMapUnit, kRoughnessUnit, kEmissiveUnit, kOcclusionUnit
+};
 
 // Defines that name the choices a shader depends on; each shader asks only for those it reads.
-gl::Defines gbuffer_defines(const Settings&);  // layout, normal, position, colour
+gl::Defines gbuffer_defines(const Settings&);  // layout, normal, position, colour, shading, attenuation
 
 class ProgramCache {
  public:

@@ -45,6 +45,7 @@ void Targets::prepare(const Settings& s) {
     framebuffers[static_cast<int>(pass)] = gl::make_framebuffer(desc);
   }
   // Everything new exists: only now let go of the old.
+  composed_.reset();  // it shares the depth attachment
   if (size_ != s.size) {
     for (auto& v : views_) v.reset();
     for (auto* c : {&counts_, &counts_lit_, &count_sums_}) c->reset();
@@ -68,7 +69,7 @@ double Targets::mib() const {
   for (const gl::Texture& t : textures_) sum += mib_of(t);
   for (const auto& v : views_)
     if (v) sum += mib_of(v->texture);
-  for (const auto* c : {&counts_, &counts_lit_, &count_sums_})
+  for (const auto* c : {&composed_, &counts_, &counts_lit_, &count_sums_})
     if (*c) sum += mib_of((*c)->texture);
   return sum;
 }
@@ -81,6 +82,16 @@ Canvas& Targets::view(View v) {
 const Canvas* Targets::drawn_view(View v) const {
   const auto& canvas = views_[static_cast<int>(v)];
   return canvas ? &*canvas : nullptr;
+}
+
+Canvas& Targets::composed() {
+  if (!composed_) {
+    composed_.emplace();
+    composed_->texture = gl::make_texture({.size = size_, .format = Format::rgba32f, .label = "composed"});
+    composed_->framebuffer = gl::make_framebuffer(
+        {.colours = {&composed_->texture}, .depth = texture(Stores::depth), .label = "composed"});
+  }
+  return *composed_;
 }
 
 Canvas& Targets::counts() { return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}); }

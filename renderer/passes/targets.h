@@ -35,6 +35,8 @@ class Targets {
 
   Canvas& view(View);                     // RGBA8, made at first use
   const Canvas* drawn_view(View) const;   // null if never drawn at this size
+  Canvas& composed();                     // RGBA32F with the scene's depth: lit + transparent surfaces
+  const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
   Canvas& counts();                       // RGBA32F: pairs tested, shaded, in range
   Canvas& counts_lit();
   Canvas& count_sums();                   // the reduction
@@ -44,7 +46,10 @@ class Targets {
   gl::PassTimers timers;
   gl::AsyncRead count_read, probe_read;
   gl::Texture light_data;
-  std::vector<glm::vec4> light_texels;    // scratch, kept so that a steady frame allocates nothing
+  gl::Texture instance_data;
+  std::vector<glm::vec4> record_texels;   // scratch, kept so that a steady frame allocates nothing
+  bool light_kinds = false;               // is any light other than a point light?
+  bool composed_valid = false;            // were transparent surfaces drawn over `lit` into composed()?
   std::vector<Light> lights;              // of the frame drawn last
   gl::Buffer frame_block;
   bool counts_valid = false;              // of the frame drawn last
@@ -56,7 +61,7 @@ class Targets {
   std::vector<gl::Texture> textures_;     // beside attachments_
   std::array<gl::Framebuffer, 3> framebuffers_;  // geometry, lighting, combine
   std::array<std::optional<Canvas>, kViewCount> views_;
-  std::optional<Canvas> counts_, counts_lit_, count_sums_, probe_;
+  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_;
 };
 
 }  // namespace gbl

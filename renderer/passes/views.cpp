@@ -28,7 +28,7 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
   const int lights = static_cast<int>(frame.targets.lights.size());
   if (overlay == VolumeOverlay::off || lights == 0) return;
   const gl::Program& program =
-      frame.programs.get("volume_wire.vert", "volume_wire.frag", gbuffer_defines(frame.settings));
+      frame.programs.get("volume_wire.vert", "volume_wire.frag", frame.defines());
   begin_drawing(into.framebuffer, frame.settings.size, {.blend = gl::Blend::alpha});
   bind_gbuffer(frame);
   bind_lights(frame);
@@ -36,15 +36,15 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
   glUseProgram(program.id());
   glUniform1f(program.uniform("volume_scale"), static_cast<float>(volume_scale(frame.settings)));
   glBindVertexArray(sphere.wire.id());
-  if (overlay == VolumeOverlay::picked) draw_wire(program, sphere, std::min(frame.settings.view.pick, lights - 1));
-  else
-    for (int i = 0; i < lights; ++i) draw_wire(program, sphere, i);
+  const int picked = std::min(frame.settings.view.pick, lights - 1);
+  for (int i = 0; i < lights; ++i)
+    if ((overlay == VolumeOverlay::all || i == picked) && bounded(frame.targets.lights[i])) draw_wire(program, sphere, i);
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
   if (view == View::lights_per_pixel && !targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
-  gl::Defines defines = gbuffer_defines(s);
+  gl::Defines defines = frame.defines();
   defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
   defines.push_back({"VIEW", static_cast<int>(view)});
   defines.push_back({"RAW", options.raw});
@@ -54,7 +54,7 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture(kLitUnit, *targets.texture(Stores::lit));
+  gl::bind_texture(kLitUnit, view == View::final ? targets.shown() : *targets.texture(Stores::lit));
   if (view == View::lights_per_pixel) gl::bind_texture(kCountUnit, targets.counts().texture);
   glUseProgram(program.id());
   glUniform3fv(program.uniform("sky_colour"), 1, glm::value_ptr(sky_of(view)));

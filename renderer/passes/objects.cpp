@@ -1,0 +1,141 @@
+#include "renderer/passes/objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "renderer/passes/frame_block.h"
+
+namespace gbl {
+namespace {
+
+const Material& material_of(const Frame& frame, const GpuScene::Batch& b) {
+  return frame.scene.scene().materials[b.material];
+}
+
+double distance_to(const Frame& frame, int instance) {
+  const Scene& scene = frame.scene.scene();
+  const glm::dvec3 centre(scene.instances[instance].world_from_object[3]);
+  return glm::distance(centre, frame.settings.camera.position);
+}
+
+// Made in double relative to the camera and rounded once: exact far from the world's origin.
+void append_record(const Frame& frame, int instance, std::vector<glm::vec4>& out) {
+  const glm::dmat4& world_from_object = frame.scene.scene().instances[instance].world_from_object;
+  glm::dmat4 relative_from_object = world_from_object;
+  relative_from_object[3] -= glm::dvec4(frame.settings.camera.position, 0);
+  const glm::mat4 clip(frame.clip_from_relative * relative_from_object);
+  const glm::mat4 rows(glm::transpose(relative_from_object));
+  const glm::dmat3 directions(world_from_object);
+  const double determinant = glm::determinant(directions);
+  const glm::mat3 normals(glm::transpose(glm::inverse(directions)));
+  for (int k = 0; k < 4; ++k) out.push_back(clip[k]);
+  for (int k = 0; k < 3; ++k) out.push_back(rows[k]);
+  for (int k = 0; k < 3; ++k) out.emplace_back(normals[k], determinant < 0 ? -1 : 1);
+}
+
+// Codes as if linear: a factor is then used as the code that the sRGB curve gives it.
+glm::vec3 colour_factor(const glm::vec3& linear, Colour colour) {
+  if (colour == Colour::srgb) return linear;
+  glm::vec3 coded;
+  for (int k = 0; k < 3; ++k)
+    coded[k] = linear[k] <= 0.0031308f ? 12.92f * linear[k] : 1.055f * std::pow(linear[k], 1 / 2.4f) - 0.055f;
+  return coded;
+}
+
+struct MaterialTextures {
+  const TextureUse* use[MATERIAL_TEXTURES];  // in the order of shared.h
+};
+MaterialTextures textures_of(const Material& m) {
+  return {{&m.base_colour_texture, &m.normal_texture, &m.roughness_texture, &m.emissive_texture, &m.occlusion_texture}};
+}
+
+bool plain_uvs(const Material& m) {
+  for (const TextureUse* use : textures_of(m).use)
+    if (use->texture != kNoTexture && (use->uv_set != 0 || use->uv_transform != glm::mat3(1))) return false;
+  return true;
+}
+
+gl::Defines material_defines(const Settings& s, const Material& m) {
+  return {{"NORMAL_MAP", s.normal_map == NormalMap::on && m.normal_texture.texture != kNoTexture},
+          {"ALBEDO_WHITE", s.albedo == AlbedoSource::white},
+          {"ALPHA_MASK", m.alpha_mode == AlphaMode::mask},
+          {"UNLIT", m.unlit},
+          {"UV_TRANSFORMS", !plain_uvs(m)}};
+}
+
+void bind_material(const Frame& frame, const gl::Program& program, const Material& m) {
+  const GpuScene& scene = frame.scene;
+  const Colour colour = frame.settings.colour;
+  gl::bind_texture(kBaseColourUnit, scene.colour_texture(m.base_colour_texture.texture, colour));
+  gl::bind_texture(kNormalMapUnit, scene.normal_texture(m.normal_texture.texture));
+  gl::bind_texture(kRoughnessUnit, scene.data_texture(m.roughness_texture.texture));
+  gl::bind_texture(kEmissiveUnit, scene.colour_texture(m.emissive_texture.texture, colour));
+  gl::bind_texture(kOcclusionUnit, scene.data_texture(m.occlusion_texture.texture));
+  const glm::vec4 base(colour_factor(glm::vec3(m.base_colour), colour), m.base_colour.a);
+  const glm::vec4 factors(m.roughness, m.metal, m.normal_scale,
+                          m.occlusion_texture.texture == kNoTexture ? 0 : m.occlusion_strength);
+  glUniform4fv(program.uniform("base_colour"), 1, glm::value_ptr(base));
+  glUniform4fv(program.uniform("factors"), 1, glm::value_ptr(factors));
+  glUniform3fv(program.uniform("emissive"), 1, glm::value_ptr(m.emissive));
+  glUniform1f(program.uniform("alpha_cutoff"), m.alpha_cutoff);
+  if (plain_uvs(m)) return;
+  const MaterialTextures textures = textures_of(m);
+  glm::mat3 transforms[MATERIAL_TEXTURES];
+  int sets[MATERIAL_TEXTURES];
+  for (int k = 0; k < MATERIAL_TEXTURES; ++k) {
+    transforms[k] = textures.use[k]->uv_transform;
+    sets[k] = textures.use[k]->uv_set;
+  }
+  glUniformMatrix3fv(program.uniform("uv_transform"), MATERIAL_TEXTURES, GL_FALSE, glm::value_ptr(transforms[0]));
+  glUniform1iv(program.uniform("uv_set"), MATERIAL_TEXTURES, sets);
+}
+
+}  // namespace
+
+std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
+  std::vector<glm::vec4>& records = frame.targets.record_texels;
+  records.clear();
+  std::vector<ObjectDraw> draws;
+  int next = 0;
+  const auto nearer = [&](int a, int b) { return distance_to(frame, a) < distance_to(frame, b); };
+  std::vector<std::pair<double, ObjectDraw>> by_distance;
+  for (const GpuScene::Batch& batch : frame.scene.batches()) {
+    if ((material_of(frame, batch).alpha_mode == AlphaMode::blend) != transparent) continue;
+    std::vector<int> order = batch.instances;
+    std::stable_sort(order.begin(), order.end(), nearer);
+    const double nearest = distance_to(frame, order.front());
+    if (!transparent) by_distance.push_back({nearest, {&batch, next, static_cast<int>(order.size())}});
+    for (const int i : order) {
+      if (transparent) by_distance.push_back({-distance_to(frame, i), {&batch, next, 1}});
+      append_record(frame, i, records);
+      ++next;
+    }
+  }
+  std::stable_sort(by_distance.begin(), by_distance.end(), [](auto& a, auto& b) { return a.first < b.first; });
+  for (const auto& [distance, draw] : by_distance) draws.push_back(draw);
+  if (!draws.empty()) upload_records(frame.targets.instance_data, records, kInstanceUnit, "instances");
+  return draws;
+}
+
+int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment, const gl::Defines& defines) {
+  if (draws.empty()) return 0;
+  gl::bind_texture(kInstanceUnit, frame.targets.instance_data);
+  for (const ObjectDraw& draw : draws) {
+    const Material& material = material_of(frame, *draw.batch);
+    gl::Defines all = defines;
+    for (gl::Define& d : material_defines(frame.settings, material)) all.push_back(std::move(d));
+    const gl::Program& program = frame.programs.get("object.vert", fragment, all);
+    const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
+    glUseProgram(program.id());
+    bind_material(frame, program, material);
+    glUniform1i(program.uniform("first_instance"), draw.first);
+    gl::apply_cull(material.double_sided ? gl::Cull::off : gl::Cull::back);
+    gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
+    glBindVertexArray(mesh.vertex_array.id());
+    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
+  }
+  return static_cast<int>(draws.size());
+}
+
+}  // namespace gbl

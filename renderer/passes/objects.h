@@ -1,0 +1,22 @@
+#pragma once
+// Drawing the scene's objects: instance records, materials and batches, for the geometry pass and the forward pass.
+#include <vector>
+
+#include "renderer/passes/passes.h"
+
+namespace gbl {
+
+// One draw: instances first … first + count - 1 of the instance texture.
+struct ObjectDraw {
+  const GpuScene::Batch* batch;
+  int first, count;
+};
+
+// Writes the instance texture and says what to draw. Opaque: batches and their instances nearest first.
+// Transparent: one draw per instance, farthest first.
+std::vector<ObjectDraw> prepare_objects(const Frame&, bool transparent);
+
+// Draw with the given fragment shader; defines of the material are added. -> draw calls
+int draw_objects(const Frame&, const std::vector<ObjectDraw>&, const char* fragment, const gl::Defines&);
+
+}  // namespace gbl

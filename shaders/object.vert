@@ -1,0 +1,40 @@
+// Objects, one instance record each: into the G-buffer, or forward.
+#include "shared.h"
+
+layout(location = 0) in vec3 vertex;
+layout(location = 1) in vec3 normal_object;
+layout(location = 2) in vec4 tangent_object;
+layout(location = 3) in vec2 uv0_in;
+layout(location = 4) in vec2 uv1_in;
+layout(location = 5) in vec4 colour_in;
+
+uniform sampler2D instance_data;
+uniform int first_instance;
+
+out vec3 relative;  // position, from the camera
+out vec3 normal;
+out vec3 tangent;
+out vec3 bitangent;
+out vec2 uv0;
+out vec2 uv1;
+out vec4 colour;
+
+vec4 instance_texel(int k) {
+  int i = (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k;
+  return texelFetch(instance_data, ivec2(i % RECORD_TEXTURE_WIDTH, i / RECORD_TEXTURE_WIDTH), 0);
+}
+
+void main() {
+  // Made in double relative to the camera and rounded once on the CPU.
+  mat4 clip_from_object = mat4(instance_texel(0), instance_texel(1), instance_texel(2), instance_texel(3));
+  mat3x4 relative_rows = mat3x4(instance_texel(4), instance_texel(5), instance_texel(6));
+  mat3 normals = mat3(instance_texel(7).xyz, instance_texel(8).xyz, instance_texel(9).xyz);
+  gl_Position = clip_from_object * vec4(vertex, 1.0);
+  relative = vec4(vertex, 1.0) * relative_rows;
+  normal = normals * normal_object;
+  tangent = vec4(tangent_object.xyz, 0.0) * relative_rows;
+  bitangent = tangent_object.w * cross(normal, tangent) * instance_texel(7).w;  // w: -1 where the object is mirrored
+  uv0 = uv0_in;
+  uv1 = uv1_in;
+  colour = colour_in;
+}
