@@ -154,33 +154,11 @@ Material material_of(const tinygltf::Material& from, size_t index, Job& job) {
   return to;
 }
 
-Wrap wrap_of(int code) {
-  return code == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE     ? Wrap::clamp
-         : code == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror
-                                                         : Wrap::repeat;
-}
-
-Filter filter_of(int code, Filter otherwise) {
-  switch (code) {
-    case TINYGLTF_TEXTURE_FILTER_NEAREST: return Filter::nearest;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR: return Filter::linear;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST: return Filter::nearest_mipmap_nearest;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST: return Filter::linear_mipmap_nearest;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR: return Filter::nearest_mipmap_linear;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR: return Filter::linear_mipmap_linear;
-    default: return otherwise;
-  }
-}
-
 TextureSource texture_of(const tinygltf::Texture& from, const tinygltf::Model& model) {
   TextureSource to{from.source, {}};
   if (from.sampler < 0) return to;
   const tinygltf::Sampler& sampler = model.samplers[static_cast<size_t>(from.sampler)];
-  to.sampler.wrap_u = wrap_of(sampler.wrapS);
-  to.sampler.wrap_v = wrap_of(sampler.wrapT);
-  to.sampler.min = filter_of(sampler.minFilter, to.sampler.min);
-  to.sampler.mag = filter_of(sampler.magFilter, to.sampler.mag);
-  if (to.sampler.mag != Filter::nearest) to.sampler.mag = Filter::linear;
+  to.sampler = sampler_of(sampler.wrapS, sampler.wrapT, sampler.minFilter, sampler.magFilter);
   return to;
 }
 

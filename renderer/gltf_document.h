@@ -94,6 +94,9 @@ struct Document {
 // Everything but the buffers' bytes.
 Document read_document(TidyJson, Job&);
 
+// A sampler from the file's codes; -1 and unknown ones mean the default. (Specification 5.26; gltf_sampler.cpp)
+Sampler sampler_of(int wrap_s, int wrap_t, int min_filter, int mag_filter);
+
 // The bytes of each buffer: files and data URIs are read, the container's chunk is used in place.
 void load_buffers(Document&, std::vector<Source>& sources, std::span<const uint8_t> chunk, bool has_chunk, Folder&,
                   Job&);
