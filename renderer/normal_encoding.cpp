@@ -28,10 +28,10 @@ namespace {
 
 // Degrees; measured by tests/normal_encoding_test, which fails if they drift.
 constexpr EncodingRow kRows[] = {
-    {NormalEncoding::oct16, 32, 0, 0, 0},
-    {NormalEncoding::oct8, 16, 0, 0, 0},
-    {NormalEncoding::xyz8, 24, 0, 0, 0},
-    {NormalEncoding::stereo16f, 32, 0, 0, 0},
+    {NormalEncoding::oct16, 32, 0.00131, 0.00293, 0.00371},
+    {NormalEncoding::oct8, 16, 0.337, 0.758, 0.957},
+    {NormalEncoding::xyz8, 24, 0.170, 0.318, 0.389},
+    {NormalEncoding::stereo16f, 32, 0.00833, 0.0212, 0.0280},
 };
 
 template <class V>
