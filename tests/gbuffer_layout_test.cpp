@@ -1,0 +1,158 @@
+#include "renderer/gbuffer_layout.h"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "renderer/options.h"
+#include "renderer/presets.h"
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+// The options that decide what is stored.
+constexpr const char* kDecide[] = {"layout", "normal.encoding", "depth.format", "accumulation.format",
+                                   "accumulation.targets"};
+
+void for_each_combination(const std::function<void(const Settings&)>& check) {
+  std::function<void(Settings, size_t)> choose = [&](Settings s, size_t i) {
+    if (i == std::size(kDecide)) return check(s);
+    const Option& o = option(kDecide[i]);
+    for (const ValueRow& r : o.values) {
+      o.set(s, r.id, o);
+      choose(s, i + 1);
+    }
+  };
+  choose(Settings{}, 0);
+}
+
+Format format_of(Stores what, const Settings& s) { return find(attachments(s), what)->format; }
+
+TEST(GbufferLayout, PresetsCostTheirBytes) {
+  EXPECT_EQ(gbuffer_bytes_per_pixel(preset("start").make()), 12);        // RGBA8 + RG16UI + D32F
+  EXPECT_EQ(gbuffer_bytes_per_pixel(preset("nclgl-fixed").make()), 12);  // RGBA8 + RGBA8 + D24, stored in 32
+  EXPECT_EQ(accumulation_bytes_per_pixel(preset("start").make()), 16);   // two RGBA16F
+  Settings least = preset("start").make();
+  least.normal.encoding = NormalEncoding::oct8;
+  least.depth.format = DepthFormat::d16;
+  least.accumulation = {AccumulationFormat::rgba8, AccumulationTargets::one};
+  EXPECT_EQ(gbuffer_bytes_per_pixel(least), 8);
+  EXPECT_EQ(accumulation_bytes_per_pixel(least), 4);
+}
+
+TEST(GbufferLayout, EachChoiceHasItsFormat) {
+  const auto of_normal = [](NormalEncoding e) {
+    Settings s;
+    s.normal.encoding = e;
+    return format_of(Stores::normal, s);
+  };
+  EXPECT_EQ(of_normal(NormalEncoding::oct16), Format::rg16ui);
+  EXPECT_EQ(of_normal(NormalEncoding::oct8), Format::rg8);
+  EXPECT_EQ(of_normal(NormalEncoding::xyz8), Format::rgba8);
+  EXPECT_EQ(of_normal(NormalEncoding::stereo16f), Format::rg16f);
+  const auto of_depth = [](DepthFormat f) {
+    Settings s;
+    s.depth.format = f;
+    return format_of(Stores::depth, s);
+  };
+  EXPECT_EQ(of_depth(DepthFormat::d16), Format::d16);
+  EXPECT_EQ(of_depth(DepthFormat::d24), Format::d24);
+  EXPECT_EQ(of_depth(DepthFormat::d32f), Format::d32f);
+  const auto of_light = [](AccumulationFormat f) {
+    Settings s;
+    s.accumulation = {f, AccumulationTargets::one};
+    return format_of(Stores::light, s);
+  };
+  EXPECT_EQ(of_light(AccumulationFormat::rgba8), Format::rgba8);
+  EXPECT_EQ(of_light(AccumulationFormat::r11g11b10f), Format::r11g11b10f);
+  EXPECT_EQ(of_light(AccumulationFormat::rgba16f), Format::rgba16f);
+  EXPECT_EQ(of_light(AccumulationFormat::rgba32f), Format::rgba32f);
+}
+
+TEST(GbufferLayout, EveryCombinationStoresEachThingOnceUnderItsOwnName) {
+  size_t combinations = 0;
+  for_each_combination([&](const Settings& s) {
+    ++combinations;
+    const std::vector<Attachment> all = attachments(s);
+    std::set<std::string> names;
+    std::set<Stores> stored;
+    for (const Attachment& a : all) {
+      EXPECT_TRUE(names.insert(a.name).second) << a.name;
+      EXPECT_TRUE(stored.insert(a.stores).second) << a.name;
+      EXPECT_STRNE(a.contents, "") << a.name;
+      EXPECT_EQ(find(all, a.stores), &a);
+      EXPECT_EQ(row(a.format).numeric == Numeric::depth, a.stores == Stores::depth) << a.name;
+    }
+    const bool split = s.accumulation.targets == AccumulationTargets::split;
+    EXPECT_TRUE(stored.count(Stores::material) && stored.count(Stores::normal) && stored.count(Stores::depth));
+    EXPECT_TRUE(stored.count(Stores::lit));
+    EXPECT_EQ(stored.count(Stores::light), split ? 0u : 1u);
+    EXPECT_EQ(stored.count(Stores::diffuse_light), split ? 1u : 0u);
+    EXPECT_EQ(stored.count(Stores::specular_light), split ? 1u : 0u);
+    EXPECT_EQ(find(all, split ? Stores::light : Stores::diffuse_light), nullptr);
+  });
+  size_t expected = 1;
+  for (const char* path : kDecide) expected *= option(path).values.size();
+  EXPECT_EQ(combinations, expected);
+}
+
+TEST(GbufferLayout, BytesAreTheSumOfTheRowsPassByPass) {
+  for_each_combination([](const Settings& s) {
+    int geometry = 0, lighting = 0, drawn = 0;
+    Pass last = Pass::geometry;
+    for (const Attachment& a : attachments(s)) {
+      EXPECT_GE(a.written_by, last) << a.name;  // in the order of the passes
+      last = a.written_by;
+      geometry += a.written_by == Pass::geometry ? row(a.format).bytes : 0;
+      lighting += a.written_by == Pass::lighting ? row(a.format).bytes : 0;
+      drawn += a.written_by == Pass::geometry && row(a.format).numeric != Numeric::depth;
+    }
+    EXPECT_EQ(gbuffer_bytes_per_pixel(s), geometry);
+    EXPECT_EQ(accumulation_bytes_per_pixel(s), lighting);
+    EXPECT_LE(drawn, 4);  // GLES 3.0 guarantees four draw buffers
+  });
+}
+
+TEST(GbufferLayout, DepthComesLastOfTheGeometryPass) {
+  for_each_combination([](const Settings& s) {
+    const std::vector<Attachment> all = attachments(s);
+    for (size_t i = 0; i + 1 < all.size(); ++i)
+      EXPECT_TRUE(all[i].stores != Stores::depth || all[i + 1].written_by != Pass::geometry);
+  });
+}
+
+TEST(GbufferLayout, FactsOfALayoutAgreeWithItsAttachment) {
+  for (const ValueRow& r : rows<Layout>()) {
+    Settings s;
+    s.layout = static_cast<Layout>(r.value);
+    const LayoutFacts& known = facts(s.layout);
+    std::string contents;
+    for (const Attachment& a : attachments(s)) contents += a.written_by == Pass::geometry ? a.contents : "";
+    EXPECT_EQ(known.stores_roughness, contains(contents, "roughness")) << r.id;
+    EXPECT_EQ(known.stores_roughness, std::string(known.roughness_missing).empty()) << r.id;
+    EXPECT_EQ(known.srgb_coded_albedo, contains(contents, "sRGB-coded")) << r.id;
+  }
+}
+
+TEST(Formats, BytesAndChannelsAreThoseOfTheName) {
+  std::set<std::string> labels;
+  for (const FormatRow& f : kFormats) {
+    EXPECT_TRUE(labels.insert(f.label).second) << f.label;
+    const std::string name = f.label;
+    int bits = 0;  // every number in the name is one channel's bits, or all channels'
+    if (name == "R11G11B10F")
+      bits = 32;
+    else if (f.numeric == Numeric::depth)
+      bits = name == "D16" ? 16 : 32;  // D24 is padded to 32
+    else
+      bits = f.channels * std::stoi(name.substr(name.find_first_of("0123456789")));
+    EXPECT_EQ(f.bytes * 8, bits) << name;
+    if (f.numeric != Numeric::depth && name != "R11G11B10F") {
+      EXPECT_EQ(f.channels, static_cast<int>(name.find_first_of("0123456789"))) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gbl

@@ -1,0 +1,124 @@
+#include "renderer/validate.h"
+
+#include <functional>
+#include <limits>
+#include <set>
+
+#include "renderer/options.h"
+#include "renderer/presets.h"
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+const DeviceLimits kCorePath{};  // nothing beyond GL 3.3 core
+
+struct Case {
+  ProblemId id;
+  const char* path;
+  std::function<void(Settings&)> breaks;
+};
+
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+const double kInfinity = std::numeric_limits<double>::infinity();
+
+const Case kCases[] = {
+    {ProblemId::not_finite, "exposure", [](Settings& s) { s.exposure = kNan; }},
+    {ProblemId::not_finite, "camera.position", [](Settings& s) { s.camera.position.z = kInfinity; }},
+    {ProblemId::not_finite, "camera.orientation", [](Settings& s) { s.camera.orientation.w = kNan; }},
+    {ProblemId::not_finite, "background.colour", [](Settings& s) { s.background.colour.y = -kInfinity; }},
+    {ProblemId::size_above_limit, "size", [](Settings& s) { s.size.x = 16385; }},
+    {ProblemId::size_above_limit, "size", [](Settings& s) { s.size.y = 16385; }},
+    {ProblemId::far_not_beyond_near, "camera.far", [](Settings& s) { s.camera.far = s.camera.near; }},
+    {ProblemId::rig_not_read, "lights.rig", [](Settings& s) { s.lights.rig = "stage.json"; }},
+    {ProblemId::no_such_light, "lights.only", [](Settings& s) { s.lights.only = s.lights.count; }},
+};
+
+TEST(Validate, PresetsAreValidOnTheCorePath) {
+  for (const Preset& p : presets()) {
+    const std::vector<Problem> problems = validate(p.make(), kCorePath);
+    EXPECT_TRUE(problems.empty()) << p.id << ": " << problems.front().path << " " << problems.front().sentence;
+    EXPECT_NO_THROW(require_valid(p.make(), kCorePath)) << p.id;
+  }
+}
+
+TEST(Validate, EachMistakeIsFoundAloneByItsIdAndPath) {
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.path);
+    Settings s = preset("start").make();
+    c.breaks(s);
+    const std::vector<Problem> problems = validate(s, kCorePath);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].id, c.id) << problems[0].sentence;
+    EXPECT_EQ(problems[0].path, c.path);
+    EXPECT_NO_THROW(option(problems[0].path));
+    const std::string line = error_line(ExitCode::bad_input, [&] { require_valid(s, kCorePath); });
+    EXPECT_EQ(line, std::string(c.path) + ": " + problems[0].sentence + " [" + id_of(c.id) + "]");
+  }
+}
+
+TEST(Validate, LimitsAreTheDevicesAndBothEndsAreAllowed) {
+  Settings s = preset("start").make();
+  s.size = {16384, 1};
+  EXPECT_TRUE(validate(s, kCorePath).empty());
+  DeviceLimits small;
+  small.max_size = 4096;
+  ASSERT_EQ(validate(s, small).size(), 1u);
+  EXPECT_TRUE(contains(validate(s, small)[0].sentence, "16384x1 is above this driver's limit of 4096"));
+  s.size = {4096, 4096};
+  s.lights.only = s.lights.count - 1;
+  EXPECT_TRUE(validate(s, small).empty());
+  s.lights.count = 0;  // no light, and no single one asked for
+  s.lights.only = -1;
+  EXPECT_TRUE(validate(s, small).empty());
+}
+
+std::vector<Problem> missing_features(const Settings& s, const DeviceLimits& limits) {
+  std::vector<Problem> found;
+  for (const Problem& p : validate(s, limits))
+    if (p.id == ProblemId::feature_missing) found.push_back(p);
+  return found;
+}
+
+TEST(Validate, AMissingFeatureNamesRowAndFeature) {
+  for (const Option& o : options())
+    for (const ValueRow& r : o.values) {
+      if (r.needs == Feature::none) continue;
+      SCOPED_TRACE(std::string(o.path) + "=" + r.id);
+      Settings s = preset("start").make();
+      o.set(s, r.id, o);
+      DeviceLimits all;
+      for (const FeatureRow& f : kFeatures) all.features.add(f.feature);
+      EXPECT_TRUE(missing_features(s, all).empty());
+      all.features.remove(r.needs);
+      const std::vector<Problem> problems = missing_features(s, all);
+      ASSERT_EQ(problems.size(), 1u);
+      EXPECT_EQ(problems[0].path, o.path);
+      EXPECT_TRUE(contains(problems[0].sentence, r.id)) << problems[0].sentence;
+      EXPECT_TRUE(contains(problems[0].sentence, kFeatures[static_cast<int>(r.needs) - 1].id)) << problems[0].sentence;
+    }
+}
+
+TEST(Validate, EveryIdIsUniqueAndProducedAbove) {
+  std::set<ProblemId> produced;
+  for (const Case& c : kCases) produced.insert(c.id);
+  // feature_missing is the test before this one's: every row that needs a feature, as soon as there is one.
+  const int count = static_cast<int>(ProblemId::feature_missing) + 1;
+  EXPECT_EQ(static_cast<int>(produced.size()), count - 1);
+  EXPECT_EQ(produced.count(ProblemId::feature_missing), 0u);
+  std::set<std::string> ids;
+  for (int i = 0; i < count; ++i) EXPECT_TRUE(ids.insert(id_of(static_cast<ProblemId>(i))).second) << i;
+}
+
+TEST(Validate, SeveralMistakesAreAllTold) {
+  Settings s = preset("start").make();
+  s.camera.far = kNan;  // neither finite nor beyond near
+  s.lights.only = 64;
+  std::set<ProblemId> found;
+  for (const Problem& p : validate(s, kCorePath)) found.insert(p.id);
+  EXPECT_EQ(found,
+            (std::set<ProblemId>{ProblemId::not_finite, ProblemId::far_not_beyond_near, ProblemId::no_such_light}));
+}
+
+}  // namespace
+}  // namespace gbl
