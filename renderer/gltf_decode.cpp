@@ -47,28 +47,26 @@ Encoded open_image(const Document& document, int image, uint64_t& texture_bytes,
   return encoded;
 }
 
+// Runs on any thread: each image fills textures of its own, and no exception leaves.
 void fill(Scene& scene, const ImageJob& job, Encoded& encoded) {
-  std::vector<uint8_t> rgba;
   if (encoded.failure.empty()) try {
-      rgba = decode_image(encoded.bytes, encoded.size);
+      std::vector<uint8_t> rgba = decode_image(encoded.bytes, encoded.size);
+      for (const int index : job.textures) {
+        Texture& texture = scene.textures[static_cast<size_t>(index)];
+        if (index == job.textures.back())
+          texture.rgba = std::move(rgba);
+        else
+          texture.rgba = rgba;
+        texture.size = {encoded.size.width, encoded.size.height};
+      }
     } catch (const Broken& broken) {
       encoded.failure = broken.what();
     } catch (const std::bad_alloc&) {
       encoded.failure = "there is not enough memory for it";
     }
   Bytes().swap(encoded.own);
-  for (size_t i = 0; i < job.textures.size(); ++i) {
-    Texture& texture = scene.textures[static_cast<size_t>(job.textures[i])];
-    if (!encoded.failure.empty()) {
-      fill_placeholder(texture);
-      continue;
-    }
-    texture.size = {encoded.size.width, encoded.size.height};
-    if (i + 1 < job.textures.size())
-      texture.rgba = rgba;
-    else
-      texture.rgba = std::move(rgba);
-  }
+  if (encoded.failure.empty()) return;
+  for (const int index : job.textures) fill_placeholder(scene.textures[static_cast<size_t>(index)]);
 }
 
 std::string name_of(const Document& document, int image) {

@@ -106,6 +106,9 @@ Node node_of(const tinygltf::Node& from, size_t index) {
 glm::mat3 uv_transform(const tinygltf::Value& t) {
   const glm::dvec2 offset = pair(t, "offset", 0), scale = pair(t, "scale", 1);
   const double angle = number(t, "rotation", 0), c = std::cos(angle), s = std::sin(angle);
+  constexpr double kMost = 1e6;  // beyond it a float has no digits left for the place in the picture
+  if (glm::any(glm::greaterThan(glm::abs(glm::dvec4(offset, scale)), glm::dvec4(kMost))) || !std::isfinite(c))
+    return glm::mat3(1);
   return glm::mat3(glm::dmat3(c * scale.x, -s * scale.x, 0, s * scale.y, c * scale.y, 0, offset.x, offset.y, 1));
 }
 
@@ -130,25 +133,32 @@ AlphaMode alpha_mode(const std::string& word, const std::string& material, Job& 
   return AlphaMode::opaque;
 }
 
+// Numbers from the file, kept where a float can work with them.
+float within(double value, double least, double most) { return static_cast<float>(glm::clamp(value, least, most)); }
+glm::vec3 within(const glm::dvec3& v, double least, double most) {
+  return {within(v.x, least, most), within(v.y, least, most), within(v.z, least, most)};
+}
+
 Material material_of(const tinygltf::Material& from, size_t index, Job& job) {
   Material to;
   const auto& pbr = from.pbrMetallicRoughness;
   to.name = from.name.empty() ? fmt::format("material {}", index) : clean_name(from.name);
-  to.base_colour = glm::vec4(glm::make_vec4(pbr.baseColorFactor.data()));
-  to.metal = static_cast<float>(glm::clamp(pbr.metallicFactor, 0.0, 1.0));
-  to.roughness = static_cast<float>(glm::clamp(pbr.roughnessFactor, 0.0, 1.0));
-  to.emissive = glm::vec3(glm::make_vec3(from.emissiveFactor.data()));
+  const double* base = pbr.baseColorFactor.data();
+  to.base_colour = {within(glm::make_vec3(base), 0, 1), within(base[3], 0, 1)};
+  to.metal = within(pbr.metallicFactor, 0, 1);
+  to.roughness = within(pbr.roughnessFactor, 0, 1);
+  to.emissive = within(glm::make_vec3(from.emissiveFactor.data()), 0, 1);
   if (const auto* strength = extension(from.extensions, "KHR_materials_emissive_strength"))
-    to.emissive *= static_cast<float>(number(*strength, "emissiveStrength", 1));
-  to.normal_scale = static_cast<float>(from.normalTexture.scale);
-  to.occlusion_strength = static_cast<float>(glm::clamp(from.occlusionTexture.strength, 0.0, 1.0));
+    to.emissive *= within(number(*strength, "emissiveStrength", 1), 0, 1e6);
+  to.normal_scale = within(from.normalTexture.scale, -1e3, 1e3);
+  to.occlusion_strength = within(from.occlusionTexture.strength, 0, 1);
   to.base_colour_texture = use_of(pbr.baseColorTexture, to.name, job);
   to.roughness_texture = use_of(pbr.metallicRoughnessTexture, to.name, job);
   to.normal_texture = use_of(from.normalTexture, to.name, job);
   to.occlusion_texture = use_of(from.occlusionTexture, to.name, job);
   to.emissive_texture = use_of(from.emissiveTexture, to.name, job);
   to.alpha_mode = alpha_mode(from.alphaMode, to.name, job);
-  to.alpha_cutoff = static_cast<float>(from.alphaCutoff);
+  to.alpha_cutoff = within(from.alphaCutoff, 0, 1e3);
   to.double_sided = from.doubleSided;
   to.unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
   return to;

@@ -36,8 +36,10 @@ std::vector<uint32_t> read_triangles(const Document& document, const Primitive& 
   for (const uint32_t index : indices)
     if (index >= vertex_count) throw Broken(fmt::format("index {} of {} vertices", index, vertex_count));
   if (indices.size() < 3) throw Broken("fewer than 3 vertices");
-  if (indices.size() > 3 * kMaxTriangles) throw Broken(fmt::format("{} indices, too many", indices.size()));
-  if (primitive.mode == kStrip || primitive.mode == kFan) return unrolled(indices, primitive.mode);
+  const bool one_each = primitive.mode == kStrip || primitive.mode == kFan;  // triangles per index
+  if (indices.size() > (one_each ? 1 : 3) * kMaxTriangles)
+    throw Broken(fmt::format("{} indices, too many", indices.size()));
+  if (one_each) return unrolled(indices, primitive.mode);
   if (primitive.mode != kTriangles) throw Broken(fmt::format("mode {} is not known", primitive.mode));
   indices.resize(indices.size() / 3 * 3);
   return indices;

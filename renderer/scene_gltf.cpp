@@ -1,7 +1,9 @@
 #include "renderer/scene_gltf.h"
 
 #include <fmt/format.h>
+#include <new>
 
+#include "renderer/error.h"
 #include "renderer/gltf_container.h"
 #include "renderer/gltf_instances.h"
 #include "renderer/gltf_limits.h"
@@ -25,7 +27,7 @@ Document open_document(Bytes& bytes, Folder& folder, Job& job) {
   return document;
 }
 
-Scene load(Bytes bytes, const std::string& name, Folder folder, Job& job) {
+Scene build(Bytes bytes, const std::string& name, Folder folder, Job& job) {
   const Document document = open_document(bytes, folder, job);
   Scene scene;
   scene.name = clean_name(name);
@@ -44,6 +46,14 @@ Scene load(Bytes bytes, const std::string& name, Folder folder, Job& job) {
   scene.warnings = job.take_notes();
   job.step("done", 1);
   return scene;
+}
+
+Scene load(Bytes bytes, const std::string& name, Folder folder, Job& job) {
+  try {
+    return build(std::move(bytes), name, std::move(folder), job);
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::unfinished, job.file(), "not enough memory to load it", "split or simplify the model");
+  }
 }
 
 }  // namespace
