@@ -36,7 +36,7 @@ std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
 }
 
 void announce(Lab& lab, const Settings& s) {
-  lab.open_scene(s.scene);
+  lab.open(s.scene);
   const double ms = lab.cost().predict_ms(s, lights_of(s, lab.scene()));
   if (ms > kWarnMs) fmt::print(stderr, "gbufferlab: this frame is predicted to take about {:.0f} s\n", ms / 1000);
 }
@@ -95,9 +95,11 @@ Image picture_of(Lab& lab, const ui::Sheet& sheet) {
 }  // namespace
 
 ExitCode run_render(const Arguments& a) {
-  const Settings s = settings_of(a);
+  const auto [s, scene] = setup_of(a);
   const HeadlessContext context;
   Lab lab(without_of(a));
+  if (scene) lab.show(s.scene, scene);
+  for (const std::string& w : lab.warnings()) fmt::print(stderr, "gbufferlab: {}: {}\n", s.scene, w);
   require_valid(s, lab.limits());
   const std::vector<View> shown = wanted_views(a, s);
   const fs::path folder = a.output.value_or("out");
@@ -157,7 +159,7 @@ Image three_culls(Lab& lab, Settings s) {
 }  // namespace
 
 ExitCode run_start_sheets(const Arguments& a) {
-  Settings s = settings_of(a);
+  Settings s = setup_of(a).settings;
   s.size = {800, 450};  // the first screen's large picture
   const HeadlessContext context;
   Lab lab(without_of(a));

@@ -51,13 +51,15 @@ struct GlfwBackend {
 
 class Loop {
  public:
-  Loop(const Arguments& a, Settings s)
+  Loop(const Arguments& a, Settings s, std::shared_ptr<const Scene> scene)
       : settings_(std::move(s)), ui_(settings_, a.present), window_(kWindowSize, "G-Buffer Lab"), lab_(without_of(a)),
         viewer_(lab_), screen_(ui_), backend_(window_) {
+    if (scene) lab_.show(settings_.scene, std::move(scene));
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
     settings_.size = {800, 450};
     ui::Requests first;  // something to show in the very first frame
     first.visible.fill(true);
+    lab_.open(settings_.scene);
     viewer_.update(settings_, first, false);
   }
 
@@ -78,6 +80,8 @@ class Loop {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const std::vector<ui::KeyEvent> keys = window_.take_keys();
     if (!keys.empty()) viewer_.say("");
+    for (const std::string& file : window_.take_drops()) viewer_.drop(file);
+    if (auto opened = viewer_.take_opened(settings_)) settings_ = std::move(*opened);
     ImGui_ImplGlfw_NewFrame();
     screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
     if (requests.save_figure) viewer_.say(save_figure(size, settings_));
@@ -108,7 +112,8 @@ class Loop {
 }  // namespace
 
 ExitCode run_view(const Arguments& a) {
-  Loop(a, settings_of(a)).run(a.frames);
+  auto [settings, scene] = setup_of(a);
+  Loop(a, std::move(settings), std::move(scene)).run(a.frames);
   return ExitCode::done;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The commands: name, help and function, one row each; and what the command line gave them.
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "renderer/error.h"
 #include "renderer/features.h"
+#include "renderer/scene.h"
 #include "renderer/settings.h"
 
 namespace gbl {
@@ -37,7 +39,12 @@ struct Arguments {
 Arguments parse_arguments(int argc, const char* const* argv);
 
 // defaults < preset < state < scene < camera, lights, rig, seed, size, time < set, whatever the order on the line.
-Settings settings_of(const Arguments&);
+// The scene comes along when it had to be opened on the way, so that it is not read twice.
+struct Setup {
+  Settings settings;
+  std::shared_ptr<const Scene> scene;  // of settings.scene, or null
+};
+Setup setup_of(const Arguments&);
 FeatureSet without_of(const Arguments&);
 
 struct Command {

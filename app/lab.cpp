@@ -1,20 +1,23 @@
 #include "app/lab.h"
 
-#include "renderer/builtin_scenes.h"
+#include "renderer/scene_look.h"
 
 namespace gbl {
 
 Lab::Lab(FeatureSet without) : device_(gl::probe_device(without)), cost_(device_.software) {}
 
-void Lab::open_scene(const std::string& name) {
-  if (name == scene_name_) return;
-  gpu_scene_ = std::make_unique<GpuScene>(std::make_shared<const Scene>(load_scene(name)));
+void Lab::open(const std::string& name) {
+  if (name != scene_name_) show(name, open_scene(name));
+}
+
+void Lab::show(const std::string& name, std::shared_ptr<const Scene> scene) {
+  gpu_scene_ = std::make_unique<GpuScene>(std::move(scene));
   scene_name_ = name;
 }
 
 void Lab::draw(const Settings& s) {
   require_valid(s, limits());
-  open_scene(s.scene);
+  open(s.scene);
   FrameReport report = renderer_.render(s, *gpu_scene_, targets_);
   drawn_ = s;
   report.pairs.reset();

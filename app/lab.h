@@ -20,9 +20,12 @@ class Lab {
   DeviceLimits limits() const { return {device_.features, device_.max_size}; }
   const gl::Device& device() const { return device_; }
   const Scene& scene() const { return gpu_scene_->scene(); }
+  std::vector<std::string> warnings() const { return gpu_scene_ ? scene().warnings : std::vector<std::string>(); }
   FrameCost& cost() { return cost_; }
 
-  void open_scene(const std::string& name);  // nothing if it is open already; on an Error the old one stays
+  void open(const std::string& name);  // nothing if it is open already; on an Error the old one stays
+  void show(const std::string& name, std::shared_ptr<const Scene>);  // a scene opened elsewhere
+  const std::string& scene_name() const { return scene_name_; }
   // Validates, opens the scene, draws up to `lit`. On an Error nothing has changed.
   void draw(const Settings&);
   void look_at(const Settings::View& view) { drawn_.view = view; }  // what overlays are drawn; the frame stays

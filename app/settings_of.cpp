@@ -3,9 +3,9 @@
 #include <sstream>
 
 #include "app/commands.h"
-#include "renderer/builtin_scenes.h"
 #include "renderer/image.h"
 #include "renderer/presets.h"
+#include "renderer/scene_look.h"
 #include "renderer/settings_json.h"
 
 namespace gbl {
@@ -66,30 +66,24 @@ Settings read_state(const std::string& file) {
   return from_json(parse_json(text, file), file);
 }
 
-void apply_scene(Settings& s, const std::string& name) {
-  s.scene = name;
-  const Settings plain;
-  s.camera = load_scene(name).camera;
-  const auto method = s.lights.method;
-  const auto cull = s.lights.cull;
-  const auto volume = s.lights.volume;
-  s.lights = plain.lights;  // the scene's lights; how they are drawn stays
-  s.lights.method = method, s.lights.cull = cull, s.lights.volume = volume;
-}
-
 }  // namespace
 
-Settings settings_of(const Arguments& a) {
-  Settings s = preset(a.preset.value_or("start")).make();
+Setup setup_of(const Arguments& a) {
+  Setup setup{preset(a.preset.value_or("start")).make(), nullptr};
+  Settings& s = setup.settings;
   if (a.state) s = read_state(*a.state);
-  if (a.scene) apply_scene(s, *a.scene);
+  if (a.scene) {
+    setup.scene = open_scene(*a.scene);
+    apply_scene(s, *a.scene, *setup.scene);
+  }
   if (a.camera) apply_camera(s, *a.camera);
   if (a.lights) apply_patch(s, {{"lights.count", *a.lights}, {"lights.source", "generated"}}, "--lights");
   if (a.seed) s.lights.seed = *a.seed;
   if (a.size) apply_size(s, *a.size);
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time");
   for (const std::string& assignment : a.set) apply_assignment(s, assignment);
-  return s;
+  if (s.scene != a.scene) setup.scene.reset();
+  return setup;
 }
 
 FeatureSet without_of(const Arguments& a) { return parse_features(a.without); }

@@ -32,11 +32,45 @@ Settings Viewer::affordable(const Settings& s, bool moving) {
   return out;
 }
 
+void Viewer::arrive(bool wait) {
+  try {
+    if (auto scene = loader_.take(wait)) {
+      message_ = fmt::format("{}: {} objects", loader_.name(), scene->instances.size());
+      for (const std::string& w : scene->warnings) message_ += "; " + w;
+      if (scene->warnings.empty() && loader_.name() != dropped_) message_.clear();
+      lab_.show(loader_.name(), std::move(scene));
+      attempted_ = false;
+      if (loader_.name() == dropped_) opened_ = std::exchange(dropped_, "");
+    }
+  } catch (const Error& e) {
+    if (e.code() != ExitCode::interrupted) message_ = e.what();
+    refused_ = loader_.name();
+    dropped_.clear();
+  }
+}
+
+std::optional<Settings> Viewer::take_opened(const Settings& s) {
+  if (opened_.empty()) return {};
+  Settings out = s;
+  apply_scene(out, std::exchange(opened_, ""), lab_.scene());
+  return out;
+}
+
+// Is the scene that these settings name the one on the GPU? Else sees to it that it will be.
+bool Viewer::scene_ready(const Settings& s) {
+  arrive(false);
+  if (s.scene == lab_.scene_name()) {
+    refused_.clear();
+    return true;
+  }
+  if (!loader_.loading() && s.scene != refused_ && opened_.empty()) loader_.start(s.scene);
+  return false;
+}
+
 void Viewer::draw_frame(const Settings& s, bool moving) {
   asked_ = s;
   attempted_ = true;
   try {
-    lab_.open_scene(s.scene);
     lab_.draw(affordable(s, moving));
     reduced_ = lab_.drawn().size != s.size && banner_.empty();
     fresh_.fill(false);
@@ -45,9 +79,10 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
       lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
       waiting_ = true;
     }
-    message_.clear();
+    if (std::exchange(draw_failed_, false)) message_.clear();  // what was wrong has been mended
   } catch (const Error& e) {
     message_ = e.what();
+    draw_failed_ = true;
   }
 }
 
@@ -83,11 +118,11 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   const bool settled = moving_ && !moving;  // a picture drawn small while moving is drawn again in full
   moving_ = moving;
   const bool changed = !attempted_ || !(without_view(s) == without_view(asked_)) || (settled && reduced_);
-  const std::string said = message_;
-  if (changed) draw_frame(s, moving);
-  if ((saved || requests.reload_shaders) && message_.empty()) message_ = said;
+  const bool ready = scene_ready(s);
+  if (changed && ready) draw_frame(s, moving);
+  if (lab_.scene_name().empty()) return;  // nothing has been drawn yet
   try {
-    draw_views(s, requests, changed);
+    draw_views(s, requests, changed && ready);
     if (requests.probe && requests.probe != probe_asked_) {
       lab_.start_probe(*requests.probe);
       probe_asked_ = requests.probe;
@@ -105,7 +140,7 @@ ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
   in.message = message_;
-  in.banner = banner_;
+  in.banner = loader_.loading() ? fmt::format("reading {}: {}", loader_.name(), loader_.progress()) : banner_;
   in.seconds = seconds;
   return in;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/lab.h"
+#include "app/scene_loader.h"
 
 namespace gbl {
 
@@ -15,20 +16,31 @@ class Viewer {
   // the message says what is wrong and the old picture stays.
   void update(const Settings&, const ui::Requests&, bool moving);
   ui::Input input(double seconds) const;
+
+  // A model's file dropped on the window: read it beside the running picture. The old scene stays until it is there,
+  // and for good if it cannot be read.
+  void drop(const std::string& file) { dropped_ = file; loader_.start(file); }
+  // Once: the settings with the dropped scene, when it has been read.
+  std::optional<Settings> take_opened(const Settings&);
+  void finish_loading() { while (loader_.loading()) arrive(true); }  // for tests and the first frame
   void say(std::string message) { message_ = std::move(message); }
 
   // Is there more to come without any input: an answer under way, a smaller picture to be replaced?
-  bool busy() const { return waiting_ || moving_; }
+  bool busy() const { return waiting_ || moving_ || loader_.loading(); }
 
  private:
+  bool scene_ready(const Settings&);
+  void arrive(bool wait);
   void draw_frame(const Settings&, bool moving);
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload(const Settings&);
   Settings affordable(const Settings&, bool moving);
 
   Lab& lab_;
+  SceneLoader loader_;
+  std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   Settings asked_;       // of the last attempt, drawn or refused
-  bool attempted_ = false, waiting_ = false, moving_ = false, reduced_ = false;
+  bool attempted_ = false, waiting_ = false, moving_ = false, reduced_ = false, draw_failed_ = false;
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
   Settings::View view_drawn_;
   std::optional<ui::PixelProbe> probe_;

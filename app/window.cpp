@@ -57,6 +57,7 @@ Window::Window(glm::ivec2 size, const char* title) {
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, on_key);  // before ImGui's back-end, which passes events on to these
   glfwSetCharCallback(window_, on_character);
+  glfwSetDropCallback(window_, on_drop);
 }
 
 Window::~Window() {
@@ -80,6 +81,7 @@ glm::ivec2 Window::framebuffer_size() const {
 
 void Window::swap() { glfwSwapBuffers(window_); }
 
+std::vector<std::string> Window::take_drops() { return std::exchange(drops_, {}); }
 std::vector<ui::KeyEvent> Window::take_keys() { return std::exchange(keys_, {}); }
 bool Window::saw_input() { return std::exchange(input_, false); }
 
@@ -100,6 +102,11 @@ void Window::on_character(GLFWwindow* w, unsigned codepoint) {
   auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
   if (codepoint < 128 && kAsCharacters.find(static_cast<char>(codepoint)) != std::string_view::npos)
     self.keys_.push_back({std::string(1, static_cast<char>(codepoint))});
+}
+
+void Window::on_drop(GLFWwindow* w, int count, const char** paths) {
+  auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
+  self.drops_.assign(paths, paths + count);
 }
 
 }  // namespace gbl

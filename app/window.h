@@ -24,14 +24,17 @@ class Window {
   GLFWwindow* handle() const { return window_; }
 
   std::vector<ui::KeyEvent> take_keys();       // since the last call
+  std::vector<std::string> take_drops();       // files dropped on the window since the last call
   const std::set<std::string>& held() const { return held_; }
   bool saw_input();                            // any event since the last call
 
  private:
   static void on_key(GLFWwindow*, int key, int scancode, int action, int mods);
   static void on_character(GLFWwindow*, unsigned codepoint);
+  static void on_drop(GLFWwindow*, int count, const char** paths);
   GLFWwindow* window_ = nullptr;
   std::vector<ui::KeyEvent> keys_;
+  std::vector<std::string> drops_;
   std::set<std::string> held_;
   bool input_ = true;
 };

@@ -28,8 +28,8 @@ std::span<const BuiltinScene> builtin_scenes() { return kScenes; }
 
 Scene load_scene(std::string_view name) {
   if (name.substr(0, kPrefix.size()) != kPrefix)
-    throw Error(ExitCode::bad_input, name, "model files cannot be opened yet",
-                fmt::format("use one of: {}{}", kPrefix, fmt::join(ids(), fmt::format(", {}", kPrefix))));
+    throw Error(ExitCode::bad_input, name, "is not a built-in scene",
+                fmt::format("known: {}{}", kPrefix, fmt::join(ids(), fmt::format(", {}", kPrefix))));
   const std::string_view id = name.substr(kPrefix.size());
   for (const BuiltinScene& row : kScenes)
     if (id == row.id) return row.build();

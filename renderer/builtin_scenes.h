@@ -17,7 +17,7 @@ struct BuiltinScene {
 
 std::span<const BuiltinScene> builtin_scenes();
 
-// "builtin:terrain" -> the scene. An unknown name is an Error that lists the known ones.
+// "builtin:terrain" -> the scene; files are opened by scene_look.h. An unknown name is an Error that lists the known ones.
 Scene load_scene(std::string_view name);
 
 Scene build_terrain();

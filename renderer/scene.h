@@ -131,6 +131,7 @@ struct Scene {
   LightGrid light_grid;
   Bounds bounds;                      // of all instances, world
   Camera camera;                      // the scene's own view
+  double exposure = 1;                // that shows its own lights well
   std::vector<std::string> warnings;  // what was skipped or replaced, a line each
 };
 

@@ -1,0 +1,18 @@
+#pragma once
+// Opening a scene by name, and the settings that come with it: its camera, its lights, its look.
+#include <memory>
+#include <string_view>
+
+#include "renderer/scene_gltf.h"
+#include "renderer/settings.h"
+
+namespace gbl {
+
+// "builtin:NAME" or a .gltf or .glb file; files get an exposure, ranges for lights without one and a box for generated
+// lights. Error(bad_input) with what is wrong.
+std::shared_ptr<const Scene> open_scene(std::string_view name, const LoadProgress* = nullptr);
+
+// Camera, lights and look of this scene over the settings; how things are drawn stays, unless the look names it.
+void apply_scene(Settings&, std::string_view name, const Scene&);
+
+}  // namespace gbl
