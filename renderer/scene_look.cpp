@@ -14,7 +14,7 @@ bool is_builtin(std::string_view name) { return name.substr(0, kPrefix.size()) =
 
 // glTF materials are metallic-roughness: shown by the model they are made for, in the layout that loses nothing.
 constexpr const char* kGltfLook = R"({"layout": "float32", "shading.model": "ggx", "shading.exponent": "from-roughness",
-  "attenuation": "windowed", "ambient": 0.2, "background.fill": "grey", "lights.count": 16})";
+  "attenuation": "windowed", "background.fill": "colour", "lights.count": 64, "view.volumes": "off"})";
 
 double brightest(const Light& l) { return std::max({l.colour.x, l.colour.y, l.colour.z}); }
 
@@ -62,6 +62,9 @@ void apply_scene(Settings& s, std::string_view name, const Scene& scene) {
   s.lights.count = plain.lights.count, s.lights.seed = plain.lights.seed;
   s.lights.range_scale = 1, s.lights.only = -1, s.lights.first = -1;
   s.view.pick = 0;
+  // As displayed: a fifth of ambient light before a dark backdrop, whatever the exposure.
+  s.ambient = std::min(0.2 / scene.exposure, 100.0);
+  s.background.colour = glm::dvec3(std::min(0.03 / scene.exposure, 1e4));
   apply_patch(s, parse_json(look_of(name), name), name);
 }
 

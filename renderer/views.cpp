@@ -74,8 +74,8 @@ constexpr ViewRow kViews[] = {
   {.view = View::position, .id = "position", .key = "9", .label = "position",
    .sentence = "Where the surface is, worked out from the pixel and its depth: nothing more is stored.",
    .written_by = Pass::geometry, .space = "world axes, +Y up",
-   .unit = "world units", .range = "the scene's bounds; colours repeat every 100 units", .read_by = "lighting",
-   .decode = "view-ray: camera + distance x (forward + x right + y up), x and y = -1..1 across the picture; shown as fract(position / 100)",
+   .unit = "world units", .range = "the scene's bounds; colours repeat, as the legend says", .read_by = "lighting",
+   .decode = "view-ray: camera + distance x (forward + x right + y up), x and y = -1..1 across the picture; shown as fract(position / cycle)",
    .in_sources = "nclgl: pos, from bufferDepthTex and inverseProjView; stereo: v3PositionIn, from s2DepthTexture and m4InvViewProjection; learnopengl: gPosition, RGBA16F; objectid: GBufferPosition, RGBA32F; viewspace: worldPos, in view space all the same, / 1e6 + 0.5 in RGBA32F",
    .mistake = "inverting view-projection in float: its noise is larger than the depth buffer's own error"},
   {.view = View::lit, .id = "lit", .key = "", .label = "lit",
@@ -166,12 +166,12 @@ Legend count_legend() {
   return counts;
 }
 
-Legend position_legend() {
+Legend position_legend(const Bounds& bounds) {
   return {false,
           {{"red: x", {1, 0, 0}},
            {"green: y", {0, 1, 0}},
            {"blue: z", {0, 0, 1}},
-           {fmt::format("one colour cycle = {:g} units", kPositionCycle), grey(0.5)}},
+           {fmt::format("one colour cycle = {:g} units", position_cycle(bounds)), grey(0.5)}},
           {}};
 }
 
@@ -214,6 +214,11 @@ std::string stored_as(View v, const Settings& s) {
   return fmt::format("{} {} {} B", a->name, row(a->format).label, row(a->format).bytes);
 }
 
+double position_cycle(const Bounds& bounds) {
+  const double extent = std::max(1e-9, glm::length(bounds.extent()));
+  return std::pow(10.0, std::floor(std::log10(extent / 10)));
+}
+
 glm::dvec2 depth_view_range(const Camera& camera, const Bounds& bounds) {
   double farthest = camera.near;  // a scene behind the camera still needs a bar
   for (int corner = 0; corner < 8; ++corner) {
@@ -231,7 +236,7 @@ Legend legend(View v, const Settings& s, const Bounds& bounds) {
     case View::depth: return depth_legend(s, bounds);
     case View::material: return roughness_legend(s);
     case View::lights_per_pixel: return count_legend();
-    case View::position: return position_legend();
+    case View::position: return position_legend(bounds);
     case View::final:
     case View::albedo:
     case View::diffuse_light:

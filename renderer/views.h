@@ -47,6 +47,9 @@ std::string stored_as(View, const Settings&);
 // The world-unit interval that the depth view spans: 0 to the farthest corner of the scene, at most far.
 glm::dvec2 depth_view_range(const Camera&, const Bounds&);
 
+// World units in which the position view's colours repeat: a power of ten, some 10 to 100 of them over the scene.
+double position_cycle(const Bounds&);
+
 // A legend: what the colours mean. Drawn by panels and sheets alike.
 struct LegendEntry {
   std::string label;
@@ -60,7 +63,6 @@ struct Legend {
 Legend legend(View, const Settings&, const Bounds&);
 
 inline constexpr glm::vec3 kSkyColour{0.09f, 0.13f, 0.30f};  // of depth, normal, …: no surface (dark blue, as users asked)
-inline constexpr double kPositionCycle = 100;                // world units in which the position view's colours repeat
 inline constexpr int kLightCountColours = 6;                 // 0, 1, 2, 3, 4, 5+
 extern const glm::vec3 kLightCountPalette[kLightCountColours];
 

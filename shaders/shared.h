@@ -44,7 +44,7 @@ GBL_BLOCK(FrameBlock) {
   vec4 viewport;             // width, height, 1/width, 1/height
   vec4 background;           // linear colour
   vec4 shading;              // exponent (-1: from roughness), specular factor, ambient, exposure
-  vec4 view_range;           // depth view: from, to in world units
+  vec4 view_range;           // depth view: from, to in world units; position view: units of a colour cycle
   ivec4 lights;              // count, -, -, -
 };
 

@@ -28,7 +28,7 @@ vec3 shown_surface(Surface s, ivec2 texel) {
 #elif VIEW == VIEW_LIGHTS_PER_PIXEL
   return count_palette[int(min(texelFetch(counts, texel, 0).b, 5.0))];
 #elif VIEW == VIEW_POSITION
-  return fract((s.position + camera_position.xyz) / 100.0);
+  return fract((s.position + camera_position.xyz) / view_range.z);
 #else
   return vec3(0.0);
 #endif

@@ -31,7 +31,7 @@ gl::Defines Frame::defines() const {
 Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targets) {
   const double aspect = double(s.size.x) / s.size.y;
   Frame frame{s, scene, targets, programs_, shapes_, aspect, clip_from_relative(s.camera, aspect)};
-  upload_frame_block(frame, depth_view_range(s.camera, scene.scene().bounds));
+  upload_frame_block(frame);
   return frame;
 }
 

@@ -2,6 +2,7 @@
 
 #include "renderer/gl/pass_state.h"
 #include "renderer/passes/frame_block.h"
+#include "renderer/views.h"
 
 namespace gbl {
 namespace {
@@ -44,7 +45,7 @@ void bind_light_sums(const Frame& frame) {
   bind_if_stored(frame, Stores::specular_light, kSpecularUnit);
 }
 
-void upload_frame_block(const Frame& frame, glm::dvec2 depth_view_range) {
+void upload_frame_block(const Frame& frame) {
   const Settings& s = frame.settings;
   const Camera& c = s.camera;
   const ViewRays rays = view_rays(c, frame.aspect);
@@ -64,7 +65,8 @@ void upload_frame_block(const Frame& frame, glm::dvec2 depth_view_range) {
   block.viewport = glm::vec4(s.size, 1.0 / s.size.x, 1.0 / s.size.y);
   block.background = glm::vec4(background_of(s), 0);
   block.shading = glm::vec4(s.shading.exponent, s.shading.specular, s.ambient, s.exposure);
-  block.view_range = glm::vec4(depth_view_range, 0, 0);
+  const Bounds& bounds = frame.scene.scene().bounds;
+  block.view_range = glm::vec4(depth_view_range(s.camera, bounds), position_cycle(bounds), 0);
   block.lights = glm::ivec4(static_cast<int>(frame.targets.lights.size()), 0, 0, 0);
   if (!frame.targets.frame_block) frame.targets.frame_block = gl::Buffer::make();
   gl::write_uniform_block(frame.targets.frame_block, 0, &block, sizeof block);

@@ -16,7 +16,7 @@ void bind_gbuffer(const Frame&);
 void bind_lights(const Frame&);
 void bind_light_sums(const Frame&);
 
-void upload_frame_block(const Frame&, glm::dvec2 depth_view_range);
+void upload_frame_block(const Frame&);
 void upload_lights(const Frame&);
 // Rows of float records as a texture; remade only when it must grow or shrink.
 void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const char* label);
