@@ -15,14 +15,13 @@ struct Numbers {
   const float* operator[](size_t element) const { return values.data() + element * components; }
 };
 
-// name: for messages ("POSITION"). least, most: how many components are allowed.
+// index: of the accessor. name: for messages ("POSITION"). least, most: how many components are allowed.
 // always_normalised: of colours and weights, whose integers mean 0..1 whatever the flag says.
-Numbers read_numbers(const Document&, int accessor, const char* name, int least, int most,
-                     bool always_normalised = false);
+Numbers read_numbers(const Document&, int index, const char* name, int least, int most, bool always_normalised = false);
 
-std::vector<uint32_t> read_indices(const Document&, int accessor);
+std::vector<uint32_t> read_indices(const Document&, int index);
 
 // The bytes of a buffer view, e.g. of an image.
-std::span<const uint8_t> view_bytes(const Document&, int view);
+std::span<const uint8_t> view_bytes(const Document&, int view_index);
 
 }  // namespace gbl::gltf

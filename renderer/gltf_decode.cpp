@@ -50,14 +50,11 @@ Encoded open_image(const Document& document, int image, uint64_t& texture_bytes,
 // Runs on any thread: each image fills textures of its own, and no exception leaves.
 void fill(Scene& scene, const ImageJob& job, Encoded& encoded) {
   if (encoded.failure.empty()) try {
-      std::vector<uint8_t> rgba = decode_image(encoded.bytes, encoded.size);
-      for (const int index : job.textures) {
-        Texture& texture = scene.textures[static_cast<size_t>(index)];
-        if (index == job.textures.back())
-          texture.rgba = std::move(rgba);
-        else
-          texture.rgba = rgba;
-        texture.size = {encoded.size.width, encoded.size.height};
+      const auto textures = [&](size_t i) -> Texture& { return scene.textures[static_cast<size_t>(job.textures[i])]; };
+      textures(0).rgba = decode_image(encoded.bytes, encoded.size);
+      for (size_t i = 0; i < job.textures.size(); ++i) {
+        if (i > 0) textures(i).rgba = textures(0).rgba;
+        textures(i).size = {encoded.size.width, encoded.size.height};
       }
     } catch (const Broken& broken) {
       encoded.failure = broken.what();

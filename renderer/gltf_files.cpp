@@ -21,11 +21,11 @@ int hex_digit(char c) {
 }
 
 // RFC 4648, section 4; the URL alphabet of section 5 is taken as well. -1: no digit.
-constexpr std::array<int8_t, 256> base64_digits() {
-  std::array<int8_t, 256> digit{};
+constexpr std::array<int, 256> base64_digits() {
+  std::array<int, 256> digit{};
   for (auto& d : digit) d = -1;
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (size_t i = 0; i < kAlphabet.size(); ++i) digit[static_cast<uint8_t>(kAlphabet[i])] = static_cast<int8_t>(i);
+  for (size_t i = 0; i < kAlphabet.size(); ++i) digit[static_cast<uint8_t>(kAlphabet[i])] = static_cast<int>(i);
   digit['-'] = 62;
   digit['_'] = 63;
   return digit;
@@ -85,7 +85,7 @@ Bytes decode_data_uri(std::string_view uri) {
   return Bytes(text.begin(), text.end());
 }
 
-Folder::Folder(fs::path folder) {
+Folder::Folder(const fs::path& folder) {
   std::error_code error;
   if (!folder.empty()) folder_ = fs::canonical(folder, error);
 }

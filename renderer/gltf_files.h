@@ -17,7 +17,7 @@ std::string percent_decoded(std::string_view uri);  // RFC 3986, section 2.1; Br
 // A model's folder; an empty path allows no file at all.
 class Folder {
  public:
-  explicit Folder(std::filesystem::path folder = {});
+  explicit Folder(const std::filesystem::path& folder = {});
   // Broken unless the URI is a relative path to a regular file that lies in the folder after all links are followed.
   Bytes read(std::string_view uri);
 

@@ -14,8 +14,8 @@ class Materials {
   Materials(const Document& document, Scene& scene) : document_(document), scene_(scene) {}
 
   // The scene's index of a material of the file; -1: the specification's default material (3.7.2.1).
-  int use(int material);
-  TangentNeed tangent_need(int material) const;
+  int use(int index);
+  TangentNeed tangent_need(int index) const;
 
   // Fills the textures that were used, on all processors. What cannot be decoded becomes a magenta checker.
   void decode_textures(Folder&, Job&);

@@ -65,7 +65,7 @@ std::vector<PlacedNode> place_nodes(const Document& document, Job& job) {
   std::vector<PlacedNode> placed, stack;
   std::vector<bool> seen(document.nodes.size());
   const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& world_from_parent) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, world_from_parent});
+    for (size_t i = nodes.size(); i-- > 0;) stack.push_back({nodes[i], world_from_parent});  // the first on top
   };
   push(roots_of(document), glm::dmat4(1));
   while (!stack.empty()) {

@@ -1,7 +1,6 @@
 #include "renderer/tangents.h"
 
 #include <cmath>
-#include <cstring>
 #include <string_view>
 #include <unordered_map>
 
@@ -11,9 +10,9 @@ namespace {
 struct Corner {  // what makes corners equal
   glm::vec3 position, normal;
   glm::vec2 uv;
-  bool operator==(const Corner& other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
+  bool operator==(const Corner&) const = default;
 };
-static_assert(sizeof(Corner) == 8 * sizeof(float), "no padding: compared and hashed as bytes");
+static_assert(sizeof(Corner) == 8 * sizeof(float), "no padding: hashed as bytes");
 
 struct CornerHash {
   size_t operator()(const Corner& corner) const {
@@ -98,12 +97,12 @@ glm::vec4 any_tangent(const glm::vec3& normal) {
 
 void make_tangents(Mesh& mesh, int uv_set, const glm::mat3& uv_transform) {
   Groups groups(mesh, uv_set);
-  std::vector<int8_t> orientation(mesh.indices.size() / 3);
+  std::vector<int> orientation(mesh.indices.size() / 3);
   for (size_t f = 0; f < orientation.size(); ++f) {
     const uint32_t* corner = &mesh.indices[3 * f];
     const Vertex* v[3] = {&mesh.vertices[corner[0]], &mesh.vertices[corner[1]], &mesh.vertices[corner[2]]};
     const Face face = face_of(v, uv_set, uv_transform);
-    orientation[f] = static_cast<int8_t>(face.orientation);
+    orientation[f] = face.orientation;
     if (face.orientation == 0) continue;
     for (int c = 0; c < 3; ++c)
       groups.sum(corner[c], face.orientation) += laid_into_plane(face.along_u, glm::dvec3(v[c]->normal)) *
@@ -111,7 +110,7 @@ void make_tangents(Mesh& mesh, int uv_set, const glm::mat3& uv_transform) {
   }
   // A vertex keeps the orientation that comes first; the other gets a copy of it.
   const size_t count = mesh.vertices.size();
-  std::vector<int8_t> kept(count, 0);
+  std::vector<int> kept(count, 0);
   std::vector<uint32_t> copy(count, kNone);
   for (size_t i = 0; i < mesh.indices.size(); ++i) {
     const uint32_t vertex = mesh.indices[i];
@@ -119,7 +118,7 @@ void make_tangents(Mesh& mesh, int uv_set, const glm::mat3& uv_transform) {
     if (wanted == 0)
       wanted = kept[vertex] ? kept[vertex] : !usable(groups.sum(vertex, 1)) && usable(groups.sum(vertex, -1)) ? -1 : 1;
     if (kept[vertex] == 0) {
-      kept[vertex] = static_cast<int8_t>(wanted);
+      kept[vertex] = wanted;
       mesh.vertices[vertex].tangent = tangent_of(groups.sum(vertex, wanted), wanted, mesh.vertices[vertex].normal);
     }
     if (kept[vertex] == wanted) continue;
