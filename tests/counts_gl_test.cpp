@@ -1,0 +1,205 @@
+// What tested, shaded and lit pairs are, and that no count depends on chance, size or number of lights.
+#include "renderer/random.h"
+#include "tests/gl_fixture.h"
+
+namespace gbl::test {
+namespace {
+
+class Counts : public GlTest {};
+
+Settings counted(LightMethod method, glm::ivec2 size = {64, 36}) {
+  Settings s = settings_for(yard(), size);
+  s.lights.method = method;
+  return s;
+}
+
+Settings with_volumes(LightCull cull, VolumeFit fit = VolumeFit::circumscribed) {
+  Settings s = counted(LightMethod::volumes);
+  s.lights.cull = cull;
+  s.lights.volume.fit = fit;
+  return s;
+}
+
+uint64_t surface_pixels(Stage& stage, const Settings& s) {
+  uint64_t n = 0;
+  for (const glm::vec4& t : stage.lit(s).texels) n += t.a == 1;
+  return n;
+}
+
+// Per pixel: tested, shaded, shaded in range; and in a, by a pass of its own, the lights whose range reaches it.
+Picture count_picture(Stage& stage, const Settings& s) {
+  stage.pairs(s);
+  Picture p = picture_of(stage.targets.counts().texture);
+  const Picture lit = picture_of(stage.targets.counts_lit().texture);
+  for (size_t i = 0; i < p.count(); ++i) p.texels[i].a = lit.texels[i].r;
+  return p;
+}
+
+TEST_F(Counts, FullScreenTestsAndShadesEveryPair) {
+  Stage stage(yard());
+  for (const int lights : {0, 1, 64, 257}) {
+    Settings s = counted(LightMethod::fullscreen);
+    s.lights.count = lights;
+    const PairCounts pairs = stage.pairs(s);
+    const uint64_t surface = surface_pixels(stage, s);
+    ASSERT_GT(surface, 0u);
+    ASSERT_LT(surface, 64u * 36u) << "some background is wanted";
+    EXPECT_EQ(pairs.tested, surface * lights);
+    EXPECT_EQ(pairs.shaded, surface * lights);
+    EXPECT_EQ(pairs.lit.value() == 0, lights == 0);
+  }
+}
+
+TEST_F(Counts, DistanceTestShadesExactlyThePairsInRange) {
+  Stage stage(yard());
+  const Settings s = counted(LightMethod::fullscreen_radius);
+  const PairCounts pairs = stage.pairs(s);
+  EXPECT_EQ(pairs.tested, surface_pixels(stage, s) * s.lights.count);
+  EXPECT_GT(pairs.shaded, 0u);
+  EXPECT_EQ(pairs.shaded, pairs.lit.value());
+}
+
+TEST_F(Counts, VolumesShadeAtLeastThePairsInRangeAndLessThanAll) {
+  Stage stage(yard());
+  const PairCounts all = stage.pairs(counted(LightMethod::fullscreen));
+  uint64_t coarser = ~uint64_t(0);
+  for (const VolumeLevel level : {VolumeLevel::l0, VolumeLevel::l2, VolumeLevel::l4}) {
+    Settings s = with_volumes(LightCull::flip_safe);
+    s.lights.volume.level = level;
+    const PairCounts pairs = stage.pairs(s);
+    EXPECT_EQ(pairs.tested, pairs.shaded);  // a fragment of a volume is a pair that is shaded
+    EXPECT_EQ(pairs.lit, all.lit);
+    EXPECT_GE(pairs.shaded, pairs.lit.value());
+    EXPECT_LT(pairs.shaded, all.shaded / 2);
+    EXPECT_LT(pairs.shaded, coarser) << "a finer mesh wastes less";
+    coarser = pairs.shaded;
+  }
+}
+
+TEST_F(Counts, NoCullingCountsTwiceFromOutside) {
+  Stage stage(yard());
+  Settings s = with_volumes(LightCull::front);
+  s.camera.position = {20, 30, 60};  // outside every volume
+  s.camera.orientation = orientation_from_yaw_pitch(0, -35);
+  const Picture once = count_picture(stage, s);
+  s.lights.cull = LightCull::none;
+  const Picture twice = count_picture(stage, s);
+  double pairs = 0;
+  for (size_t i = 0; i < once.count(); ++i) {
+    EXPECT_EQ(glm::vec3(twice.texels[i]), 2.0f * glm::vec3(once.texels[i]));
+    EXPECT_EQ(twice.texels[i].a, once.texels[i].a);  // the lights themselves are as many as before
+    pairs += once.texels[i].y;
+  }
+  EXPECT_GT(pairs, 0);
+}
+
+TEST_F(Counts, LightsPerPixelIsTheBruteForceCountForEverySoundMethod) {
+  Stage stage(yard());
+  for_each_row<LightMethod>([&](LightMethod method, auto& r) {
+    const Picture counts = count_picture(stage, counted(method));
+    for (const glm::vec4& t : counts.texels) EXPECT_EQ(t.b, t.a) << r.id;
+  });
+  // The view shows what is missing: a method that loses lights counts fewer.
+  const Picture inscribed = count_picture(stage, [] {
+    Settings s = with_volumes(LightCull::flip_safe, VolumeFit::inscribed);
+    s.lights.volume.level = VolumeLevel::l0;
+    return s;
+  }());
+  int fewer = 0;
+  for (const glm::vec4& t : inscribed.texels) {
+    EXPECT_LE(t.b, t.a);
+    fewer += t.b < t.a;
+  }
+  EXPECT_GT(fewer, 0);
+}
+
+// The GPU's count against distances in double from the stored depth; pixels nearer to a rim than float can tell are
+// left out, and few.
+TEST_F(Counts, LitPairsAreThoseOfTheFormula) {
+  Stage stage(yard());
+  const Settings s = counted(LightMethod::fullscreen_radius);
+  const Picture counts = count_picture(stage, s);
+  const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.texture(Stores::depth));
+  const ViewRays rays = view_rays(s.camera, double(s.size.x) / s.size.y);
+  int undecided = 0;
+  for (int i = 0; i < int(counts.count()); ++i) {
+    float depth;
+    std::memcpy(&depth, &bytes[4 * i], 4);
+    if (depth == 1) {
+      EXPECT_EQ(counts.texels[i], glm::vec4(0)) << "background is never counted";
+      continue;
+    }
+    const double x = (i % s.size.x + 0.5) / s.size.x * 2 - 1, y = (i / s.size.x + 0.5) / s.size.y * 2 - 1;
+    const glm::dvec3 point =
+        s.camera.position + range_from_depth(s.camera, depth) * (rays.forward + x * rays.right + y * rays.up);
+    int lights = 0;
+    bool near_a_rim = false;
+    for (const Light& l : stage.targets.lights) {
+      const double d = glm::distance(point, l.position);
+      lights += d < l.range;
+      near_a_rim |= std::abs(d - l.range) < 1e-3;  // float positions 60 units from the camera are good to some 1e-4
+    }
+    if (near_a_rim)
+      ++undecided;
+    else
+      EXPECT_EQ(counts.texels[i].a, float(lights)) << i % s.size.x << ", " << i / s.size.x;
+  }
+  EXPECT_LT(undecided, int(counts.count()) / 100);
+}
+
+// Sizes that are no multiple of the reduction's blocks, one pixel included: the sums are those of the pixels.
+TEST_F(Counts, SumsAreExactAtAnySize) {
+  Stage stage(yard());
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), {3, 2}, {16, 16}, {17, 33}, {64, 36}, {131, 77}}) {
+    const Settings s = counted(LightMethod::volumes, size);
+    const PairCounts pairs = stage.pairs(s);
+    glm::dvec4 sum(0);
+    for (const glm::vec4& t : count_picture(stage, s).texels) sum += glm::dvec4(t);
+    EXPECT_EQ(glm::dvec3(pairs.tested, pairs.shaded, pairs.lit.value()), glm::dvec3(sum.x, sum.y, sum.w));
+  }
+}
+
+TEST_F(Counts, WithoutTheLitPassItIsUnknownNotZero) {
+  Stage stage(yard());
+  const Settings s = counted(LightMethod::volumes);
+  const PairCounts with = stage.pairs(s);
+  FrameReport report = stage.draw(s);
+  EXPECT_FALSE(report.pairs);
+  stage.renderer.count_pairs(s, yard(), stage.targets, false);
+  stage.renderer.collect(stage.targets, report, true);
+  ASSERT_TRUE(report.pairs);
+  EXPECT_FALSE(report.pairs->lit);
+  EXPECT_EQ(report.pairs->shaded, with.shaded);
+}
+
+// An answer that was under way when the next frame was drawn belongs to no frame any more.
+TEST_F(Counts, OfAnEarlierFrameAreNotReportedForTheNext) {
+  Stage stage(yard());
+  stage.draw(counted(LightMethod::fullscreen));
+  stage.renderer.count_pairs(counted(LightMethod::fullscreen), yard(), stage.targets, true);
+  FrameReport report = stage.draw(counted(LightMethod::volumes));
+  stage.renderer.collect(stage.targets, report, true);
+  EXPECT_FALSE(report.pairs) << report.pairs->shaded << " pairs of the frame before";
+}
+
+TEST_F(Counts, SixteenThousandLightsAreDrawnAndCounted) {
+  Stage stage(yard());
+  Settings s = counted(LightMethod::fullscreen_radius);
+  s.lights.count = kMaxLights;
+  const Picture reference = stage.lit(s);
+  const uint64_t surface = surface_pixels(stage, s);
+  const PairCounts loop = stage.pairs(s);
+  EXPECT_EQ(loop.tested, surface * kMaxLights);  // 3e7: beyond what one float could count
+  EXPECT_EQ(loop.shaded, loop.lit.value());
+  s.lights.method = LightMethod::volumes;
+  s.lights.volume.level = VolumeLevel::l0;
+  EXPECT_TRUE(like(stage.lit(s), reference, {.max_abs = 1e-5, .why = "float sums of the few lights in range"}));
+  const PairCounts volumes = stage.pairs(s);
+  EXPECT_EQ(volumes.lit, loop.lit);
+  EXPECT_GE(volumes.shaded, volumes.lit.value());
+  s.lights.count = 0;
+  EXPECT_EQ(stage.pairs(s).tested, 0u);
+}
+
+}  // namespace
+}  // namespace gbl::test
