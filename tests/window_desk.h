@@ -1,0 +1,46 @@
+#pragma once
+// A real window for a test: an X server of its own, the program in it, keys sent as a user would, and what it did read
+// back from the pictures that F12 saves (they carry the settings).
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/image.h"
+#include "renderer/settings.h"
+
+namespace gbl {
+
+struct Figure {
+  Image picture;
+  Settings settings;
+};
+
+class WindowDesk {
+ public:
+  explicit WindowDesk(std::vector<std::string> arguments = {});
+  ~WindowDesk();
+  WindowDesk(const WindowDesk&) = delete;
+
+  bool open() const { return !window_.empty(); }
+  std::string why_not() const { return why_not_; }
+  void press(const std::string& xdotool_key);  // "c", "shift+c", "Page_Down"
+  void hold(const std::string& key, int milliseconds);
+  Figure figure();                             // presses F12 and reads the file it saved
+  void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
+  int close();                                 // asks the program to end; its exit code
+
+ private:
+  void start_server();
+  void start_program(const std::vector<std::string>& arguments);
+  std::string find_window() const;
+  void wait_until_drawn();
+  std::filesystem::path folder_;  // the program's working folder
+  std::string display_, window_, why_not_;
+  int server_ = -1, program_ = -1;
+  int figures_ = 0;
+};
+
+}  // namespace gbl
