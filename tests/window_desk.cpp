@@ -77,7 +77,7 @@ void WindowDesk::start_server() {
   server_ = fork();
   if (server_ == 0) {
     const std::string fd = std::to_string(fds[1]);
-    close(fds[0]);
+    ::close(fds[0]);
     const int null = ::open("/dev/null", O_WRONLY);
     dup2(null, 2);
     execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x900x24", "-nolisten", "tcp", nullptr);
