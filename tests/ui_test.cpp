@@ -68,32 +68,6 @@ TEST(Window, NoTextOfTheTablesLacksAGlyph) {
   }
 }
 
-TEST(Captions, SayWhatChangedWhatItCostsAndWhetherItIsSound) {
-  const Settings before = preset("start").make();
-  Settings after = before;
-  after.lights.cull = LightCull::back;
-  EXPECT_EQ(describe_change(before, after).whole(),
-            "Cull: flip → back. Front faces only: nothing is left to draw once the camera is inside. "
-            "UNSOUND: backface-cull-inside.");
-  after = before;
-  after.normal.encoding = NormalEncoding::oct8;
-  EXPECT_NE(describe_change(before, after).text.find("16 bits (was 32 bits)"), std::string::npos);
-  after = before;
-  after.camera.position.x += 1;
-  EXPECT_TRUE(describe_change(before, after).text.empty());
-}
-
-TEST(Captions, EndAfterSixSeconds) {
-  Desk desk;
-  EXPECT_FALSE(desk.requests.wake_in);
-  desk.press("c");
-  ASSERT_TRUE(desk.requests.wake_in);
-  EXPECT_NEAR(*desk.requests.wake_in, kCaptionSeconds, 1e-9);
-  desk.seconds += kCaptionSeconds;
-  desk.frame();
-  EXPECT_FALSE(desk.requests.wake_in);
-}
-
 TEST(Window, WhatIsBelowAnOverlayIsNotDrawn) {
   Desk desk;
   desk.press("F1");
@@ -218,6 +192,10 @@ TEST(Mouse, ARightClickHoldsThePixelAndALeftOneChoosesTheView) {
   desk.point({100, 100}, false, true);
   desk.point({1300, 800});
   EXPECT_EQ(desk.requests.probe, glm::ivec2(160, 160));
+  desk.report.size = {640, 360};  // drawn at half the size: the same place
+  desk.frame();
+  EXPECT_EQ(desk.requests.probe, glm::ivec2(80, 80));
+  desk.report.size = {1280, 720};
   desk.click({1300, 100});
   EXPECT_EQ(desk.settings.view.main, "normal");
   EXPECT_EQ(desk.visible(), 8);

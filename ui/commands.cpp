@@ -50,7 +50,7 @@ void go_home(Frame& f, const KeyEvent&) {
   s.playing = s.show_distance = s.help = s.hidden = false;
   s.glide.reset();
   s.before_glide.reset();
-  s.held_pixel.reset();
+  s.held_at.reset();
   s.lesson.reset();
   s.card.reset();
   say(f, {"Home: everything is as it was loaded.", ""});
@@ -121,6 +121,7 @@ void toggle_navigation(Frame& f, const KeyEvent&) {
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigFlags ^= ImGuiConfigFlags_NavEnableKeyboard;
   const bool on = io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard;
+  ImGui::SetWindowFocus(on ? kRootWindow : nullptr);
   say(f, {on ? "Panel keys: Tab and arrows walk, Space presses, Esc leaves." : "Panel keys off.", ""});
 }
 
@@ -132,24 +133,26 @@ void scale_type(Frame& f, const KeyEvent& e) {
 }
 
 void nudge_pixel(Frame& f, const KeyEvent& e) {
-  const glm::ivec2 size = f.frame_size();
-  glm::ivec2 pixel = f.state.held_pixel.value_or(f.state.hovered_pixel.value_or(size / 2));
+  glm::ivec2 pixel = f.held_pixel().value_or(f.state.hovered_pixel.value_or(f.frame_size() / 2));
   const int by = e.shift ? 10 : 1;
   if (e.key == "Left") pixel.x -= by;
   if (e.key == "Right") pixel.x += by;
   if (e.key == "Up") pixel.y -= by;
   if (e.key == "Down") pixel.y += by;
-  f.state.held_pixel = glm::clamp(pixel, glm::ivec2(0), size - 1);
+  f.hold(pixel);
 }
 
 void open_go_to(Frame& f, const KeyEvent&) {
   f.state.go_to = f.state.focus_go_to = true;
-  f.state.go_to_pixel = f.state.held_pixel.value_or(f.frame_size() / 2);
+  const glm::ivec2 pixel = f.held_pixel().value_or(f.frame_size() / 2);
+  f.state.go_to_text = {};
+  fmt::format_to_n(f.state.go_to_text.begin(), f.state.go_to_text.size() - 1, "{}, {}", pixel.x, pixel.y);
 }
 
 void stop_typing(Frame& f) {
   f.state.go_to = false;
   f.state.edited = nullptr;
+  ImGui::SetWindowFocus(nullptr);  // the field lets go of the keyboard, also if it has not seen the key itself
 }
 
 void close_top(Frame& f, const KeyEvent&) {
@@ -165,8 +168,8 @@ void close_top(Frame& f, const KeyEvent&) {
     s.help = false;
   else if (s.card)
     s.card.reset();
-  else if (s.held_pixel)
-    s.held_pixel.reset();
+  else if (s.held_at)
+    s.held_at.reset();
   else if (s.lesson)
     s.lesson.reset();
   else

@@ -123,6 +123,7 @@ bool typing(const Frame& f) { return f.state.go_to || f.state.edited || ImGui::G
 void dispatch(Frame& f, const KeyEvent& e) {
   if (typing(f)) {
     if (e.key == "Esc") stop_typing(f);
+    if (e.key == "Enter") f.state.entered = true;
     return;
   }
   f.state.notice.clear();

@@ -54,22 +54,12 @@ void draw_field(Frame& f, const Option& o, const Box& box, float px) {
   const std::string text = value_text(o, f.settings);
   char buffer[256] = {};
   std::memcpy(buffer, text.data(), std::min(text.size(), sizeof buffer - 1));
-  const float pad = std::round(px * 0.4f);
-  const FontScope font(f.painter.fit(text, {box.width() - 2 * pad, box.height()}, px, false));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, std::floor((box.height() - ImGui::GetFontSize()) / 2)});
-  ImGui::SetCursorScreenPos(box.min);
-  ImGui::SetNextItemWidth(box.width());
+  px = f.painter.fit(text, {box.width() - px, box.height()}, px, false);
   const bool mine = f.state.edited == &o;
-  if (mine && f.state.focus_edited) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText(fmt::format("##{}", o.path).c_str(), buffer, sizeof buffer,
-                                        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  if (mine && ImGui::IsItemDeactivated()) f.state.edited = nullptr;
+  const bool entered = draw_text_field(f, o.path, box, px, buffer, sizeof buffer, mine && f.state.focus_edited);
   if (mine && ImGui::IsItemActive()) f.state.focus_edited = false;
-  ImGui::PopStyleVar();
-  if (entered) {
-    f.state.edited = nullptr;
-    apply_text(f, o, buffer);
-  }
+  if (mine && (entered || ImGui::IsItemDeactivated())) f.state.edited = nullptr;
+  if (entered) apply_text(f, o, buffer);
 }
 
 struct Rows {

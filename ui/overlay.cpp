@@ -1,4 +1,5 @@
 // Windows above the pictures: fixed boxes without decoration; the pixel's dialog and the messages.
+#include <cstdio>
 #include <fmt/format.h>
 
 #include "ui/state.h"
@@ -22,6 +23,21 @@ void end_overlay() {
   ImGui::PopStyleColor();
 }
 
+bool draw_text_field(Frame& f, const char* id, const Box& box, float px, char* buffer, size_t size, bool focus) {
+  const FontScope font(px);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::round(px * 0.4f), std::floor((box.height() - px) / 2)});
+  ImGui::SetCursorScreenPos(box.min);
+  ImGui::SetNextItemWidth(box.width());
+  if (focus) ImGui::SetKeyboardFocusHere();
+  bool entered = ImGui::InputText(fmt::format("##{}", id).c_str(), buffer, size,
+                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  // ImGui looks at keys once a frame: a tap shorter than a slow frame reaches us as an event only.
+  entered |= ImGui::IsItemActive() && f.state.entered;
+  if (entered) ImGui::SetWindowFocus(nullptr);
+  ImGui::PopStyleVar();
+  return entered;
+}
+
 // Ctrl+G: two numbers; Enter holds the pixel there, Esc leaves.
 void draw_go_to(Frame& f) {
   State& s = f.state;
@@ -29,25 +45,26 @@ void draw_go_to(Frame& f) {
   const float px = f.type.body, line = line_height(px), width = px * 20;
   const Box& main = f.layout.main_box();
   const ImVec2 min{std::floor(main.min.x + (main.width() - width) / 2), std::floor(main.min.y + main.height() * 0.4f)};
-  const Box box{min, {min.x + width, min.y + 4.5f * line}};
+  const Box box{min, {min.x + width, min.y + std::round(5 * line)}};
   begin_overlay("go to pixel", box, kSurface);
   Painter p(*ImGui::GetWindowDrawList(), s.cut_texts);
-  const glm::ivec2 size = f.frame_size();
-  const Box room = box.inset(px * 0.6f);
+  const Box room = box.inset(std::round(px * 0.6f));
   p.text_in({room.min, {room.max.x, room.min.y + line}}, px, kText, "Hold the pixel at x, y");
-  {
-    const FontScope font(px);
-    ImGui::SetCursorScreenPos({room.min.x, room.min.y + line * 1.2f});
-    ImGui::SetNextItemWidth(room.width());
-    if (s.focus_go_to) ImGui::SetKeyboardFocusHere();
-    s.focus_go_to = false;
-    if (ImGui::InputInt2("##pixel", &s.go_to_pixel.x, ImGuiInputTextFlags_EnterReturnsTrue)) {
-      s.held_pixel = glm::clamp(s.go_to_pixel, glm::ivec2(0), size - 1);
-      s.go_to = false;
-    }
+  const float top = room.min.y + std::round(1.3f * line);
+  const Box field{{room.min.x, top}, {room.max.x, top + std::round(1.6f * line)}};
+  const bool entered = draw_text_field(f, "pixel", field, px, s.go_to_text.data(), s.go_to_text.size(), s.focus_go_to);
+  if (ImGui::IsItemActive()) s.focus_go_to = false;
+  const glm::ivec2 last = f.frame_size() - 1;
+  if (entered) {
+    glm::ivec2 pixel;
+    s.go_to = false;
+    if (std::sscanf(s.go_to_text.data(), "%d%*[ ,;x]%d", &pixel.x, &pixel.y) == 2)
+      f.hold(pixel);
+    else
+      s.notice = fmt::format("'{}' is not a pixel; write two whole numbers, x, y", s.go_to_text.data());
   }
-  p.text_in({{room.min.x, room.max.y - line}, room.max}, f.type.small, kDim,
-            fmt::format("0 … {}, 0 … {} from the top left; Tab, Enter", size.x - 1, size.y - 1));
+  p.text_in({{room.min.x, room.max.y - line_height(f.type.small)}, room.max}, f.type.small, kDim,
+            fmt::format("0 … {}, 0 … {} from the top left; Enter", last.x, last.y));
   end_overlay();
 }
 

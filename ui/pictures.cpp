@@ -32,14 +32,15 @@ void use_mouse(Frame& f, View v, const Box& panel, const Box& picture) {
   const bool clicked = ImGui::InvisibleButton(row(v).id, panel.size());
   const bool dragged = io.MouseDragMaxDistanceSqr[0] > 9;
   if (clicked && !dragged) f.settings.view.main = row(v).id;
+  if (ImGui::IsItemFocused() && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) f.state.focused = v;
   if (ImGui::IsItemHovered()) {
     hover(f, v, picture);
     if (ImGui::IsMouseDoubleClicked(0)) f.state.large = !f.state.large;
-    if (ImGui::IsMouseClicked(1)) {
-      if (f.state.held_pixel == f.state.hovered_pixel)
-        f.state.held_pixel.reset();
+    if (ImGui::IsMouseClicked(1) && f.state.hovered_pixel) {
+      if (f.held_pixel() == f.state.hovered_pixel)
+        f.state.held_at.reset();
       else
-        f.state.held_pixel = f.state.hovered_pixel;
+        f.hold(*f.state.hovered_pixel);
     }
   }
   if (v == f.layout.main && ImGui::IsItemActive() && dragged && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
@@ -99,8 +100,9 @@ void draw_panel(Frame& f, View v, const Box& panel) {
   look.words = !f.state.hidden;
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
   draw_view_panel(f.painter, panel, v, image, f.settings, f.input.scene.bounds, look);
-  if (f.state.hidden || (f.state.hovered == v && !f.state.held_pixel)) return;
-  const std::optional<glm::ivec2> pixel = f.state.held_pixel ? f.state.held_pixel : f.state.hovered_pixel;
+  if (f.state.focused == v) f.painter.outline(panel, kText, std::round(4 * f.layout.unit));
+  if (f.state.hidden || (f.state.hovered == v && !f.state.held_at)) return;
+  const std::optional<glm::ivec2> pixel = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
   if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, picture_box(panel, image.size), *pixel);
 }
 
@@ -117,6 +119,7 @@ void for_each_panel(Frame& f, Do what) {
 void draw_pictures(Frame& f) {
   f.state.hovered.reset();
   f.state.hovered_pixel.reset();
+  f.state.focused.reset();
   for_each_panel(f, [&](View v, const Box& panel) {
     use_mouse(f, v, panel, picture_box(panel, f.input.images[static_cast<size_t>(v)].size));
   });
@@ -124,7 +127,7 @@ void draw_pictures(Frame& f) {
   const Box& main = f.layout.main_box();
   f.requests.picture_size = {static_cast<int>(main.width()), static_cast<int>(main.height())};
   if (!covered(f, main) && !f.state.hidden) draw_texts_on_main(f, main);
-  f.requests.probe = f.state.held_pixel ? f.state.held_pixel : f.state.hovered_pixel;
+  f.requests.probe = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
 }
 
 }  // namespace gbl::ui

@@ -1,5 +1,6 @@
 #pragma once
 // What the window remembers between frames and no picture depends on, and what every panel is handed in a frame.
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ namespace gbl::ui {
 
 inline constexpr double kCaptionSeconds = 6;
 inline constexpr double kGlideSeconds = 1.2;
+inline constexpr const char* kRootWindow = "G-Buffer Lab";
 
 struct Caption {
   Sentence sentence;
@@ -45,10 +47,11 @@ struct State {
   std::optional<int> options_page;  // of the all-options panel
   const Option* edited = nullptr;   // has the keyboard for a typed value
   bool focus_edited = false;
+  bool entered = false;         // Enter, in this frame, while something is typed
   std::optional<int> chooser;   // the highlighted lesson
   std::vector<Lesson> lessons;  // that the chooser offers
   bool go_to = false, focus_go_to = false;
-  glm::ivec2 go_to_pixel{0};
+  std::array<char, 32> go_to_text{};  // "x, y"
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;
@@ -63,7 +66,8 @@ struct State {
 
   std::optional<View> hovered;              // of the frame before
   std::optional<glm::ivec2> hovered_pixel;  // of the frame before
-  std::optional<glm::ivec2> held_pixel;
+  std::optional<glm::dvec2> held_at;        // 0..1 across the frame: a pixel held stays when the frame's size changes
+  std::optional<View> focused;              // has the panel keys
   std::vector<std::string> cut_texts;
 };
 
@@ -77,6 +81,14 @@ struct Frame {
   Painter painter;
 
   glm::ivec2 frame_size() const { return input.report.size.x > 0 ? input.report.size : settings.size; }
+  std::optional<glm::ivec2> held_pixel() const {
+    if (!state.held_at) return {};
+    return glm::clamp(glm::ivec2(*state.held_at * glm::dvec2(frame_size())), glm::ivec2(0), frame_size() - 1);
+  }
+  void hold(glm::ivec2 pixel) {
+    pixel = glm::clamp(pixel, glm::ivec2(0), frame_size() - 1);
+    state.held_at = (glm::dvec2(pixel) + 0.5) / glm::dvec2(frame_size());
+  }
   View chosen() const { return view_by_id(settings.view.main).view; }
 };
 
@@ -117,6 +129,9 @@ std::string sound_mark(const Option&, const Settings&);  // "⚠ unsound: pitfal
 int option_pages();
 std::vector<const Option*> options_on_page(int page);
 std::string option_letter(const std::vector<const Option*>& page, const Option&);
+
+// A line to type in, over the whole box; true when Enter was pressed in it. It loses the keyboard then.
+bool draw_text_field(Frame&, const char* id, const Box&, float px, char* buffer, size_t size, bool focus);
 
 // A window for overlays: fixed, above the pictures, without any decoration.
 bool begin_overlay(const char* id, const Box&, ImU32 background);

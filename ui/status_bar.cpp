@@ -47,7 +47,7 @@ std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
 std::string right_text(const Frame& f) {
   std::string text;
   if (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) text += "panel keys on, Esc leaves   ";
-  if (f.state.held_pixel) text += "pixel held, Esc lets go   ";
+  if (f.state.held_at) text += "pixel held, Esc lets go   ";
   return text + fmt::format("t = {:.2f} s {}", f.settings.time_s, f.state.playing ? "running" : "paused");
 }
 
@@ -64,7 +64,7 @@ void draw_status_bar(Frame& f) {
   f.painter.text({right_x, y}, px, kDim, right);
 
   std::string left = "Point at a picture to read its pixel here; a right click holds it. F1 shows the keys.";
-  if (f.input.probe && (f.state.held_pixel || f.state.hovered_pixel)) left = pixel_in_words(f, *f.input.probe);
+  if (f.input.probe && (f.state.held_at || f.state.hovered_pixel)) left = pixel_in_words(f, *f.input.probe);
   f.painter.text_in({{bar.min.x + pad, y}, {right_x - 2 * pad, bar.max.y}}, px, kText, left);
 }
 

@@ -24,7 +24,7 @@ void begin_root(ImVec2 display) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(display);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin("G-Buffer Lab", nullptr,
+  ImGui::Begin(kRootWindow, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
@@ -33,6 +33,7 @@ void begin_root(ImVec2 display) {
 // Keys change what the layout is made from: afterwards the frame is measured again.
 void take_input(Frame& f, const std::vector<KeyEvent>& keys) {
   if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
+  f.state.entered = false;
   for (const KeyEvent& e : keys) dispatch(f, e);
   advance_motion(f);
   f.type = type_of(f.state);
