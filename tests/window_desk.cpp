@@ -52,8 +52,8 @@ void stop(int& child) {
 
 WindowDesk::WindowDesk(std::vector<std::string> arguments) {
   for (const char* needed : {"Xvfb", "xdotool"})
-    if (!have(needed)) why_not_ = fmt::format("{} is not installed", needed);
-  if (!why_not_.empty()) return;
+    if (!have(needed)) missing_ = needed;
+  if (!missing_.empty()) return;
   char name[] = "/tmp/gbl-window-XXXXXX";
   folder_ = mkdtemp(name);
   start_server();
@@ -80,7 +80,7 @@ void WindowDesk::start_server() {
     ::close(fds[0]);
     const int null = ::open("/dev/null", O_WRONLY);
     dup2(null, 2);
-    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x900x24", "-nolisten", "tcp", nullptr);
+    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x900x24", "-nolisten", "tcp", "-noreset", nullptr);
     _exit(127);
   }
   ::close(fds[1]);

@@ -26,6 +26,7 @@ class WindowDesk {
 
   bool open() const { return !window_.empty(); }
   std::string why_not() const { return why_not_; }
+  std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
   void press(const std::string& xdotool_key);  // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
   Figure figure();                             // presses F12 and reads the file it saved
@@ -38,7 +39,7 @@ class WindowDesk {
   std::string find_window() const;
   void wait_until_drawn();
   std::filesystem::path folder_;  // the program's working folder
-  std::string display_, window_, why_not_;
+  std::string display_, window_, why_not_, missing_;
   int server_ = -1, program_ = -1;
   int figures_ = 0;
 };

@@ -11,8 +11,9 @@
 namespace gbl {
 namespace {
 
-#define SKIP_WITHOUT_WINDOW(desk) \
-  if (!(desk).open()) GTEST_SKIP() << "no window: " << (desk).why_not()
+#define SKIP_WITHOUT_WINDOW(desk)                                                    \
+  if (!(desk).missing().empty()) GTEST_SKIP() << (desk).missing() << " is not installed"; \
+  ASSERT_TRUE((desk).open()) << (desk).why_not()
 
 std::string xdotool_name(const ui::KeyEvent& e) {
   static const std::map<std::string, std::string> kNames = {
