@@ -18,10 +18,17 @@ void Lab::show(const std::string& name, std::shared_ptr<const Scene> scene) {
 void Lab::draw(const Settings& s) {
   require_valid(s, limits());
   open(s.scene);
-  FrameReport report = renderer_.render(s, *gpu_scene_, targets_);
+  try {
+    report_ = renderer_.render(s, *gpu_scene_, targets_);
+  } catch (...) {  // a shader that does not compile, a refused texture: the targets hold half a frame
+    if (has_drawn() && drawn_.scene == scene_name_)
+      renderer_.render(drawn_, *gpu_scene_, targets_);
+    else
+      report_ = {};
+    throw;
+  }
   drawn_ = s;
-  report.pairs.reset();
-  report_ = std::move(report);
+  work_[work_index(targets_.timers.frame())] = estimate_work(s, targets_.lights);
 }
 
 void Lab::draw_view(View view, ViewOptions options) {
@@ -30,9 +37,11 @@ void Lab::draw_view(View view, ViewOptions options) {
 
 void Lab::collect(bool wait) {
   renderer_.collect(targets_, report_, wait);
+  const long long answered = targets_.timers.answered();
+  if (answered == learnt_ || report_.time_source == "cpu-clock") return;
+  learnt_ = answered;  // the times may be of a frame or two ago: learnt with the work of that frame
   for (const PassTime& p : report_.passes)
-    if (p.pass == "lighting" && p.ms && report_.time_source != "cpu-clock")
-      cost_.learn(estimate_work(drawn_, targets_.lights), *p.ms);
+    if (p.pass == "lighting" && p.ms) cost_.learn(work_[work_index(answered)], *p.ms);
 }
 
 void Lab::start_probe(glm::ivec2 pixel) {

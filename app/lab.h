@@ -36,6 +36,7 @@ class Lab {
   void collect(bool wait);
   void reload_shaders() { renderer_.reload_shaders(); }
 
+  bool has_drawn() const { return report_.size.x > 0; }
   const Settings& drawn() const { return drawn_; }
   const FrameReport& report() const { return report_; }
   const Targets& targets() const { return targets_; }
@@ -53,6 +54,11 @@ class Lab {
   Settings drawn_;
   FrameReport report_;
   glm::ivec2 probed_pixel_{0};
+
+  // Of the frames whose times may still be under way: a ring by their numbers.
+  static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }
+  std::array<double, 8> work_{};
+  long long learnt_ = 0;
 };
 
 // What a panel reads, from what the lab has drawn.

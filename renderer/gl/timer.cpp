@@ -60,8 +60,10 @@ void PassTimers::end() {
 }
 
 void PassTimers::next_frame() {
+  const long long number = frames_[current_].number + 1;
   current_ = (current_ + 1) % kFramesUnderWay;
   frames_[current_].used = 0;
+  frames_[current_].number = number;
 }
 
 std::optional<std::vector<PassTime>> PassTimers::answer_of(Frame& frame, bool wait) const {
@@ -86,9 +88,10 @@ std::optional<std::vector<PassTime>> PassTimers::answer_of(Frame& frame, bool wa
 std::vector<PassTime> PassTimers::collect(bool wait) {
   for (int back = 0; back < kFramesUnderWay; ++back) {
     Frame& frame = frames_[(current_ + kFramesUnderWay - back) % kFramesUnderWay];
-    if (frame.used == 0) continue;
+    if (frame.used == 0 || frame.number < answered_) continue;  // never back to an older one
     if (auto times = answer_of(frame, wait)) {
       newest_ = std::move(*times);
+      answered_ = frame.number;
       break;
     }
   }

@@ -25,6 +25,10 @@ class PassTimers {
   // The newest frame that has answered entirely; `wait` blocks until the frame just drawn has.
   std::vector<PassTime> collect(bool wait);
 
+  // Frames are numbered from 1: the one begun last, and the one that collect() gave last (0: none yet).
+  long long frame() const { return frames_[current_].number; }
+  long long answered() const { return answered_; }
+
  private:
   static constexpr int kFramesUnderWay = 4;
   struct Slot {
@@ -35,6 +39,7 @@ class PassTimers {
   struct Frame {
     std::vector<Slot> slots;  // reused: no allocation in the steady state
     size_t used = 0;
+    long long number = 0;
   };
   std::optional<std::vector<PassTime>> answer_of(Frame&, bool wait) const;
 
@@ -44,6 +49,7 @@ class PassTimers {
   Texture anchor_;  // see begin()
   Framebuffer anchor_framebuffer_;
   std::vector<PassTime> newest_;
+  long long answered_ = 0;
 };
 
 class PassScope {
