@@ -72,17 +72,15 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
   attempted_ = true;
   try {
     lab_.draw(affordable(s, moving));
-    reduced_ = lab_.drawn().size != s.size && banner_.empty();
     fresh_.fill(false);
     probe_asked_.reset();
-    if (!moving) {
-      lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
-      waiting_ = true;
-    }
+    if (!moving) lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
+    waiting_ = !moving;
     if (std::exchange(draw_failed_, false)) message_.clear();  // what was wrong has been mended
   } catch (const Error& e) {
     message_ = e.what();
     draw_failed_ = true;
+    fresh_.fill(false);  // the frame before was drawn again
   }
 }
 
@@ -99,7 +97,7 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
   view_drawn_ = s.view;
 }
 
-void Viewer::reload(const Settings& s) {
+void Viewer::reload() {
   try {
     lab_.reload_shaders();
     message_ = "shaders read again";
@@ -107,20 +105,19 @@ void Viewer::reload(const Settings& s) {
   } catch (const Error& e) {
     message_ = e.what();  // the last good programs go on drawing
   }
-  asked_ = s;
 }
 
 void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving) {
   const long long stamp = shaders_stamp();
   const bool saved = shaders_ != 0 && stamp != shaders_;
   shaders_ = stamp;
-  if (saved || requests.reload_shaders) reload(s);
-  const bool settled = moving_ && !moving;  // a picture drawn small while moving is drawn again in full
+  if (saved || requests.reload_shaders) reload();
+  const bool settled = moving_ && !moving;  // drawn again in full size, and counted
   moving_ = moving;
-  const bool changed = !attempted_ || !(without_view(s) == without_view(asked_)) || (settled && reduced_);
+  const bool changed = !attempted_ || !(without_view(s) == without_view(asked_)) || settled;
   const bool ready = scene_ready(s);
   if (changed && ready) draw_frame(s, moving);
-  if (lab_.scene_name().empty()) return;  // nothing has been drawn yet
+  if (!lab_.has_drawn()) return;
   try {
     draw_views(s, requests, changed && ready);
     if (requests.probe && requests.probe != probe_asked_) {

@@ -33,14 +33,14 @@ class Viewer {
   void arrive(bool wait);
   void draw_frame(const Settings&, bool moving);
   void draw_views(const Settings&, const ui::Requests&, bool all);
-  void reload(const Settings&);
+  void reload();
   Settings affordable(const Settings&, bool moving);
 
   Lab& lab_;
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   Settings asked_;       // of the last attempt, drawn or refused
-  bool attempted_ = false, waiting_ = false, moving_ = false, reduced_ = false, draw_failed_ = false;
+  bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false;
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
   Settings::View view_drawn_;
   std::optional<ui::PixelProbe> probe_;
