@@ -2,13 +2,13 @@
 #include <map>
 #include <regex>
 #include <sstream>
-#include <unistd.h>
 
 #include "renderer/error.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/programs.h"
 #include "renderer/resources.h"
 #include "tests/gl_fixture.h"
+#include "tests/shader_copy.h"
 
 namespace gbl::test {
 namespace {
@@ -16,32 +16,6 @@ namespace {
 class Shaders : public GlTest {};
 
 // ---- reload ------------------------------------------------------------------------------------------------
-// A copy of the shaders that may be broken; the real ones are back when it dies.
-class ShaderCopy {
- public:
-  ShaderCopy()
-      : before_(override_folder()), folder_(std::filesystem::current_path() / fmt::format("shader_copy_{}", getpid())) {
-    make_folder(folder_ / "shaders");
-    for (const std::string& name : resource_names("shaders/")) write_text_file(folder_ / name, resource(name));
-    set_override_folder(folder_);
-  }
-  ~ShaderCopy() {
-    set_override_folder(before_);
-    std::filesystem::remove_all(folder_);
-  }
-  // Puts a line of its own before the first line that holds `mark`; -> its number.
-  int insert(const char* name, const std::string& mark, const std::string& line) {
-    const std::string text = resource(name);
-    const size_t at = text.rfind('\n', text.find(mark)) + 1;
-    write_text_file(folder_ / name, text.substr(0, at) + line + "\n" + text.substr(at));
-    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
-  }
-  void restore(const char* name) { write_text_file(folder_ / name, std::string(embedded_bytes(name))); }
-
- private:
-  std::filesystem::path before_, folder_;
-};
-
 std::string reload_error(Renderer& renderer) {
   try {
     renderer.reload_shaders();
