@@ -17,6 +17,7 @@ void add_shared(CLI::App& app, Arguments& a) {
   app.add_option("--lights", a.lights, "number of generated lights, 0 to 16384");
   app.add_option("--seed", a.seed, "of the generated lights");
   app.add_option("--camera", a.camera, "x,y,z:yaw,pitch[:fov] in world units and degrees");
+  app.add_option("--rig", a.rig, "lights from a rig's JSON file");
   app.add_option("--time", a.time, "seconds: lights move as functions of it");
   app.add_option("--without", a.without, "features to switch off, comma-separated (info lists them)");
   app.add_flag("--json", a.json, "machine-readable output");

@@ -19,7 +19,7 @@ struct Arguments {
   std::string command;  // empty: none given
   std::string what;     // of `list`
 
-  std::optional<std::string> scene, preset, state, camera, size;
+  std::optional<std::string> scene, preset, state, rig, camera, size;
   std::optional<int> lights;
   std::optional<unsigned> seed;
   std::optional<double> time;

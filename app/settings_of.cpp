@@ -5,6 +5,7 @@
 #include "app/commands.h"
 #include "renderer/image.h"
 #include "renderer/presets.h"
+#include "renderer/rig.h"
 #include "renderer/scene_look.h"
 #include "renderer/settings_json.h"
 
@@ -78,6 +79,10 @@ Setup setup_of(const Arguments& a) {
   }
   if (a.camera) apply_camera(s, *a.camera);
   if (a.lights) apply_patch(s, {{"lights.count", *a.lights}, {"lights.source", "generated"}}, "--lights");
+  if (a.rig) {
+    rig_lights(*a.rig);  // refused here, with its place, rather than at the first frame
+    apply_patch(s, {{"lights.rig", *a.rig}, {"lights.source", "rig"}}, "--rig");
+  }
   if (a.seed) s.lights.seed = *a.seed;
   if (a.size) apply_size(s, *a.size);
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time");

@@ -24,6 +24,7 @@ constexpr bool in_order(const ValueRow (&table)[N]) {
 constexpr ValueRow kLightSource[] = {
   {.value = at(LightSource::scene), .id = "scene", .label = "the scene's own", .help = "the lights that the scene brings"},
   {.value = at(LightSource::generated), .id = "generated", .label = "generated", .help = "N lights placed by the scene's generator from a seed, at constant mean overlap"},
+  {.value = at(LightSource::rig), .id = "rig", .label = "a lighting rig", .help = "the lights of the file named by lights.rig"},
 };
 constexpr ValueRow kLightSpot[] = {
   {.value = at(LightSpot::cone), .id = "cone", .label = "cone", .help = "spot lights end smoothly between an inner and an outer angle"},

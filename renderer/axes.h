@@ -23,7 +23,7 @@ struct ValueRow {
 };
 
 // ---- what is true -----------------------------------------------------------------------------------------
-enum class LightSource { scene, generated };
+enum class LightSource { scene, generated, rig };
 enum class LightSpot { cone };
 enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed };
 enum class RangeKind { source };

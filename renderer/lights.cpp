@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "renderer/random.h"
+#include "renderer/rig.h"
 
 namespace gbl {
 
@@ -64,6 +65,7 @@ namespace {
 
 std::vector<Light> from_source(const Settings& s, const Scene& scene) {
   if (s.lights.source == LightSource::scene) return scene.lights;
+  if (s.lights.source == LightSource::rig) return rig_lights(s.lights.rig);
   if (scene.light_box) return generated_lights(*scene.light_box, s.lights.count, s.lights.seed);
   return generated_lights(scene.light_grid, s.lights.count, s.lights.seed, s.time_s);
 }

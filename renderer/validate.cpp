@@ -32,7 +32,7 @@ void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Pr
 
 const char* id_of(ProblemId id) {
   constexpr const char* kIds[] = {"not-finite",   "size-above-limit", "far-not-beyond-near",
-                                  "rig-not-read", "no-such-light",    "feature-missing"};
+                                  "rig-not-read", "rig-not-named", "no-such-light",    "feature-missing"};
   return kIds[static_cast<int>(id)];
 }
 
@@ -46,9 +46,12 @@ std::vector<Problem> validate(const Settings& s, const DeviceLimits& limits) {
   if (!(s.camera.far > s.camera.near))
     out.push_back({ProblemId::far_not_beyond_near, "camera.far",
                    fmt::format("{:g} is not beyond camera.near {:g}; make it larger", s.camera.far, s.camera.near)});
-  if (!s.lights.rig.empty())
+  const bool reads_rig = s.lights.source == LightSource::rig;
+  if (!reads_rig && !s.lights.rig.empty())
     out.push_back({ProblemId::rig_not_read, "lights.rig", "is set, but lights.source does not read a rig; clear it"});
-  if (s.lights.only >= s.lights.count)
+  if (reads_rig && s.lights.rig.empty())
+    out.push_back({ProblemId::rig_not_named, "lights.rig", "lights.source is rig, but no file is named; name one"});
+  if (s.lights.source == LightSource::generated && s.lights.only >= s.lights.count)
     out.push_back({ProblemId::no_such_light, "lights.only",
                    fmt::format("{} is not below lights.count {}; choose -1 for all", s.lights.only, s.lights.count)});
   return out;

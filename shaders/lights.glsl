@@ -9,6 +9,7 @@ struct Light {
   int kind;
   vec3 direction;  // unit, from the light
   float inner_cos, outer_cos;
+  vec3 coefficients;  // of its own falloff 1/(x + y d + z d2); all 0: the settings' profile
 #endif
 };
 
@@ -28,7 +29,9 @@ Light read_light(int i) {
   light.kind = int(colour.w);
   light.direction = aim.xyz;
   light.inner_cos = aim.w;
-  light.outer_cos = light_texel(i * LIGHT_TEXELS + 3).x;
+  vec4 rest = light_texel(i * LIGHT_TEXELS + 3);
+  light.outer_cos = rest.x;
+  light.coefficients = rest.yzw;
 #endif
   return light;
 }

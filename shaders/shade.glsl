@@ -104,6 +104,7 @@ Lighting shade(Surface s, Light light) {
     to_light /= max(d, 1e-6);  // a light on the surface must not divide by 0
     strength = attenuation(d, light.range);
 #if LIGHT_KINDS
+    if (dot(light.coefficients, vec3(1.0)) > 0.0) strength = 1.0 / dot(light.coefficients, vec3(1.0, d, d * d));
     // Between the cones the glTF extension's square of a linear ramp (KHR_lights_punctual, inner and outer angles).
     if (light.kind == LIGHT_SPOT) {
       float edge = clamp((dot(-to_light, light.direction) - light.outer_cos) / max(light.inner_cos - light.outer_cos, 1e-4), 0.0, 1.0);

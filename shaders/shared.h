@@ -7,7 +7,7 @@
 #endif
 
 // Light records in the light texture, RGBA32F texels:
-//   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, -, -, -
+//   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, falloff coefficients
 #define LIGHT_TEXELS 4
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1

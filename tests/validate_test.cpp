@@ -31,6 +31,7 @@ const Case kCases[] = {
     {ProblemId::size_above_limit, "size", [](Settings& s) { s.size.y = 16385; }},
     {ProblemId::far_not_beyond_near, "camera.far", [](Settings& s) { s.camera.far = s.camera.near; }},
     {ProblemId::rig_not_read, "lights.rig", [](Settings& s) { s.lights.rig = "stage.json"; }},
+    {ProblemId::rig_not_named, "lights.rig", [](Settings& s) { s.lights.source = LightSource::rig; }},
     {ProblemId::no_such_light, "lights.only", [](Settings& s) { s.lights.only = s.lights.count; }},
 };
 

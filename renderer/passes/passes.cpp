@@ -79,7 +79,7 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
     t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
     t.record_texels.emplace_back(l.direction, l.inner_cos);
-    t.record_texels.emplace_back(l.outer_cos, 0, 0, 0);
+    t.record_texels.emplace_back(l.outer_cos, l.coefficients);
   }
   upload_records(t.light_data, t.record_texels, kLightUnit, "lights");
 }
