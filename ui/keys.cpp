@@ -121,7 +121,8 @@ bool typing(const Frame& f) { return f.state.go_to || f.state.edited || ImGui::G
 }  // namespace
 
 void dispatch(Frame& f, const KeyEvent& e) {
-  if (typing(f)) {
+  const bool function_key = e.key.size() > 1 && e.key[0] == 'F';  // no field wants those
+  if (typing(f) && !function_key) {
     if (e.key == "Esc") stop_typing(f);
     if (e.key == "Enter") f.state.entered = true;
     return;
