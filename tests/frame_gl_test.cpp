@@ -111,8 +111,8 @@ TEST_F(Frames, AProbeSpeaksOfTheFrameJustDrawn) {
 }
 
 TEST_F(Frames, LookingChangesNothing) {
+  Stage stage(yard());
   for (Settings s : different_settings()) {
-    Stage stage(yard());
     stage.draw(s);
     const Stored before = stored(stage.targets);
     s.view.volumes = VolumeOverlay::all;

@@ -2,6 +2,7 @@
 // What the GL tests share: one context per process, a small scene, and a stage that draws settings and reads back all
 // that is stored.
 #include <gtest/gtest.h>
+#include <map>
 #include <memory>
 
 #include "app/headless.h"
@@ -131,6 +132,12 @@ struct Stage {
     return image_from_gl_rows(t.size, gl::read_rgba8(t));
   }
 };
+
+// A stage per scene for tests that draw many settings: programs are compiled once.
+inline Stage& shared_stage(const GpuScene& scene) {
+  static std::map<const GpuScene*, Stage> stages;
+  return stages.try_emplace(&scene, scene).first->second;
+}
 
 // Calls `each` for every row of E whose feature this device has.
 template <class E, class Each>

@@ -33,7 +33,7 @@ Score score(const Settings& settings, const GpuScene& scene) {
   Settings s = light_alone(settings);
   s.size = {160, 90};
   s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
-  Stage stage(scene);
+  Stage& stage = shared_stage(scene);
   const Picture got = stage.lit(s);
   s.lights.method = LightMethod::fullscreen;
   const Picture reference = stage.lit(s);
