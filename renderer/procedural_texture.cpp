@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/random.h"
+#include "renderer/texture_painting.h"
 
 namespace gbl {
 namespace {
@@ -19,46 +20,11 @@ constexpr glm::dvec3 kPaints[] = {{236, 232, 222}, {30, 27, 26}, {214, 152, 142}
 constexpr int kPaintCount = 8;
 constexpr double kSpotsHeight = 0.75;
 
-double smoothstep(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
-
-int floor_of(double x) {  // several times as fast as std::floor where that is a library call
-  const int whole = static_cast<int>(x);
-  return whole - (x < whole ? 1 : 0);
-}
 
 int wrapped(int cell, int cells) {
   if (cell >= 0 && cell < cells) return cell;  // nearly always: no division
   return ((cell % cells) + cells) % cells;
-}
-
-uint8_t to_byte(double value) { return static_cast<uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
-
-// f(u, v) at the centres of the texels.
-template <class F>
-ScalarMap make_map(int size, F f) {
-  ScalarMap map{size, {}};
-  map.texels.reserve(static_cast<size_t>(size) * size);
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) map.texels.push_back(f((x + 0.5) / size, (y + 0.5) / size));
-  return map;
-}
-
-// f(x, y) gives 0..255 per channel.
-template <class F>
-Texture make_texture(std::string name, int size, F f) {
-  Texture texture{std::move(name), glm::ivec2(size), {}};
-  texture.rgba.reserve(static_cast<size_t>(size) * size * 4);
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) {
-      const glm::dvec3 c = f(x, y);
-      texture.rgba.insert(texture.rgba.end(), {to_byte(c.x), to_byte(c.y), to_byte(c.z), 255});
-    }
-  return texture;
 }
 
 // Worn stones: at most one per lattice cell, at a random place and of a random size. 0..1.
