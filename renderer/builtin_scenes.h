@@ -21,5 +21,13 @@ std::span<const BuiltinScene> builtin_scenes();
 Scene load_scene(std::string_view name);
 
 Scene build_terrain();
+Scene build_two_cows();
+Scene build_grid();
+Scene build_spheres();
+Scene build_room();
+Scene build_grove();
+Scene build_layers();
+Scene build_hall();
+Scene build_city();
 
 }  // namespace gbl
