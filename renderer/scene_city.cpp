@@ -1,7 +1,6 @@
 // A city at night, in the manner of source 0's first picture (nclgl tutorial 15, "Example G-Buffer output for a
 // cityscape"): 12 x 12 blocks 40 apart, houses 10 to 60 high, lamps along the streets, and windows that are flagged as
 // unlit: its "fullbright".
-#include <cmath>
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>

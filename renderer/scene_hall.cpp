@@ -1,5 +1,7 @@
 // A hall of columns for hundreds of small lights (source 2's first picture has 1847): normal-mapped surfaces in
 // several colours, many edges, and no light that reaches from wall to wall.
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
