@@ -1,9 +1,11 @@
 // `info`: what this machine can do, and why not.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/commands.h"
 #include "app/headless.h"
 #include "renderer/gl/device.h"
+#include "renderer/scene_gltf.h"
 #include "renderer/settings_json.h"
 
 namespace gbl {
@@ -23,6 +25,10 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
   j["rounding"] = {{"rgba16f_store", gl::label(rounding.half_store)},
                    {"rgba16f_blend", gl::label(rounding.half_blend)},
                    {"r11g11b10f_store", gl::label(rounding.r11_store)}};
+  j["gltf_limits"] = Json::array();
+  for (const GltfLimit& l : gltf_limits()) j["gltf_limits"].push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
+  j["gltf_extensions"] = Json::array();
+  for (const std::string_view e : gltf_extensions()) j["gltf_extensions"].push_back(e);
   j["features"] = Json::array();
   for (const FeatureRow& f : kFeatures) {
     const bool there = d.features.has(f.feature);
@@ -54,6 +60,9 @@ ExitCode run_info(const Arguments& a) {
     fmt::print("{:<13} {}  {}\n", f["id"].get<std::string>(),
                f["available"].get<bool>() ? "yes" : "no: " + f["reason"].get<std::string>(),
                f["used_for"].get<std::string>());
+  fmt::print("\nglTF files may ask for at most\n");
+  for (const GltfLimit& l : gltf_limits()) fmt::print("  {:>14}  {}\n", l.value, l.what);
+  fmt::print("and require {}\n", fmt::join(gltf_extensions(), ", "));
   return ExitCode::done;
 }
 

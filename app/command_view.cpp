@@ -83,7 +83,13 @@ class Loop {
     for (const std::string& file : window_.take_drops()) viewer_.drop(file);
     if (auto opened = viewer_.take_opened(settings_)) settings_ = std::move(*opened);
     ImGui_ImplGlfw_NewFrame();
+    const Settings before = settings_;
     screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
+    // Another scene and nothing else: it is to bring its camera, its lights and its look, as a dropped file does.
+    Settings renamed = before;
+    renamed.scene = settings_.scene;
+    if (settings_.scene != before.scene && settings_ == renamed)
+      viewer_.drop(std::exchange(settings_.scene, before.scene));
     if (requests.save_figure) viewer_.say(save_figure(size, settings_));
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);

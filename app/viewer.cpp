@@ -52,6 +52,7 @@ void Viewer::arrive(bool wait) {
 std::optional<Settings> Viewer::take_opened(const Settings& s) {
   if (opened_.empty()) return {};
   Settings out = s;
+  reset_look(out);
   apply_scene(out, std::exchange(opened_, ""), lab_.scene());
   return out;
 }

@@ -17,8 +17,8 @@ class Viewer {
   void update(const Settings&, const ui::Requests&, bool moving);
   ui::Input input(double seconds) const;
 
-  // A model's file dropped on the window: read it beside the running picture. The old scene stays until it is there,
-  // and for good if it cannot be read.
+  // A model's file dropped on the window, or a scene named in the options: read it beside the running picture. The old
+  // scene stays until it is there, and for good if it cannot be read.
   void drop(const std::string& file) { dropped_ = file; loader_.start(file); }
   // Once: the settings with the dropped scene, when it has been read.
   std::optional<Settings> take_opened(const Settings&);

@@ -53,6 +53,15 @@ std::shared_ptr<const Scene> open_scene(std::string_view name, const LoadProgres
   return scene;
 }
 
+void reset_look(Settings& s) {
+  const Settings plain;
+  for (const Option& o : options()) {
+    const std::string_view path = o.path;
+    const bool kept = path == "scene" || path == "size" || path == "time_s";
+    if ((o.group == Group::truth && !kept) || path == "layout") o.set(s, o.get(plain), o);
+  }
+}
+
 void apply_scene(Settings& s, std::string_view name, const Scene& scene) {
   s.scene = name;
   s.camera = scene.camera;

@@ -15,4 +15,7 @@ std::shared_ptr<const Scene> open_scene(std::string_view name, const LoadProgres
 // Camera, lights and look of this scene over the settings; how things are drawn stays, unless the look names it.
 void apply_scene(Settings&, std::string_view name, const Scene&);
 
+// What looks may have changed, back to the defaults: so that no scene keeps the look of the one before.
+void reset_look(Settings&);
+
 }  // namespace gbl

@@ -5,6 +5,7 @@
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 seconds=${1:-60}
+command -v clang++ >/dev/null || { echo "skipped: no clang++ here; install clang and libclang-rt-dev"; exit 77; }
 build=$root/build/fuzz
 mkdir -p "$build/corpus" "$build/crashes"
 cd "$build"

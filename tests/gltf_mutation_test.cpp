@@ -9,7 +9,10 @@
 namespace gbl::test {
 namespace {
 
-constexpr int kMutations = 500;
+#ifndef GBL_MUTATIONS
+#define GBL_MUTATIONS 500
+#endif
+constexpr int kMutations = GBL_MUTATIONS;
 
 // What a renderer takes for granted.
 void expect_whole(const Scene& scene) {

@@ -153,12 +153,4 @@ void WindowDesk::keep(const std::string& name, const Figure& f) const {
   write_png(fs::path("window") / (name + ".png"), f.picture);
 }
 
-int WindowDesk::close() {
-  (void)std::system(fmt::format("DISPLAY={} xdotool windowclose {}", display_, window_).c_str());
-  int status = 0;
-  if (!wait_for([&] { return waitpid(program_, &status, WNOHANG) == program_; }, 10s)) return -1;
-  program_ = -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -2;
-}
-
 }  // namespace gbl

@@ -31,7 +31,6 @@ class WindowDesk {
   void hold(const std::string& key, int milliseconds);
   Figure figure();                             // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
-  int close();                                 // asks the program to end; its exit code
 
  private:
   void start_server();
