@@ -14,20 +14,40 @@ bool is_builtin(std::string_view name) { return name.substr(0, kPrefix.size()) =
 
 // glTF materials are metallic-roughness: shown by the model they are made for, in the layout that loses nothing.
 constexpr const char* kGltfLook = R"({"layout": "float32", "shading.model": "ggx", "shading.exponent": "from-roughness",
-  "attenuation": "windowed", "background.fill": "colour", "lights.count": 64, "view.volumes": "off"})";
+  "attenuation": "windowed", "background.fill": "colour", "lights.count": 64, "view.volumes": "off", "lights.cull": "front",
+  "lights.volume.clip": "none"})";
 
 double brightest(const Light& l) { return std::max({l.colour.x, l.colour.y, l.colour.z}); }
 
-// The strongest light's radiance on white, seen from a quarter of the scene's diagonal, is shown as 1.
+// The strongest light's radiance on white, seen from a quarter of the scene's diagonal, is shown as this: room for the
+// other lights above it.
+constexpr double kShownStrongest = 0.6;
+
 double exposure_of(const Scene& scene) {
   const double typical = std::max(1e-6, glm::length(scene.bounds.extent()) / 4);
   double strongest = 0;
   for (const Light& l : scene.lights)
     strongest = std::max(strongest, brightest(l) / (l.kind == LightKind::directional ? 1 : typical * typical));
-  return strongest > 0 ? std::clamp(1 / strongest, 1e-6, 1e6) : 1;
+  return strongest > 0 ? std::clamp(kShownStrongest / strongest, 1e-6, 1e6) : 1;
+}
+
+// A model without lights is seen as in a studio: a key light over the camera's left shoulder, a fill from its right.
+void add_studio_lights(Scene& scene) {
+  const glm::dmat3 world_from_view(glm::mat3_cast(scene.camera.orientation));
+  const auto add = [&](glm::dvec3 direction_in_view, double strength) {
+    Light l;
+    l.kind = LightKind::directional;
+    l.direction = glm::normalize(world_from_view * direction_in_view);
+    l.colour = glm::dvec3(strength);
+    scene.lights.push_back(l);
+  };
+  add({0.5, -0.7, -0.6}, 1);
+  add({-0.8, -0.1, -0.6}, 0.25);
+  scene.warnings.push_back("it has no lights: a key and a fill light were added");
 }
 
 void complete_file_scene(Scene& scene) {
+  if (scene.lights.empty()) add_studio_lights(scene);
   scene.exposure = exposure_of(scene);
   // A light without a range ends where its radiance on white falls to 1/255 after exposure.
   for (Light& l : scene.lights)

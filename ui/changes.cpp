@@ -53,9 +53,20 @@ void edit(Frame& f, const std::function<void(Settings&)>& change) {
   if (!sentence.text.empty()) say(f, std::move(sentence));
 }
 
+namespace {
+// Who asks for a number of lights means generated ones, as --lights does: a scene's own have no number to change.
+void imply(const Option& o, Settings& s) {
+  if (std::string_view(o.path) == "lights.count") s.lights.source = LightSource::generated;
+}
+}  // namespace
+
 void edit_option(Frame& f, const Option& o, const Json& value) {
   const Settings before = f.settings;
-  if (!try_change(f, [&](Settings& s) { o.set(s, value, o); })) return;
+  const bool done = try_change(f, [&](Settings& s) {
+    o.set(s, value, o);
+    imply(o, s);
+  });
+  if (!done) return;
   if (o.get(before) != o.get(f.settings)) say(f, describe_step(o, before, f.settings));
 }
 
@@ -66,6 +77,7 @@ void step_option(Frame& f, const Option& o, int step) {
       cycle(o, s, step, f.input.features);
     else if (o.kind == Kind::integer)
       o.set(s, next_power(o.get(s).get<int>(), step, static_cast<int>(o.max)), o);
+    imply(o, s);
   });
   if (done) say(f, describe_step(o, before, f.settings));
 }
