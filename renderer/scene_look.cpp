@@ -91,9 +91,11 @@ void apply_scene(Settings& s, std::string_view name, const Scene& scene) {
   s.lights.count = plain.lights.count, s.lights.seed = plain.lights.seed;
   s.lights.range_scale = 1, s.lights.only = -1, s.lights.first = -1;
   s.view.pick = 0;
-  // As displayed: a fifth of ambient light before a dark backdrop, whatever the exposure.
-  s.ambient = std::min(0.2 / scene.exposure, 100.0);
-  s.background.colour = glm::dvec3(std::min(0.03 / scene.exposure, 1e4));
+  if (!is_builtin(name)) {
+    // As displayed: a fifth of ambient light before a dark backdrop, whatever the exposure.
+    s.ambient = std::min(0.2 / scene.exposure, 100.0);
+    s.background.colour = glm::dvec3(std::min(0.03 / scene.exposure, 1e4));
+  }
   apply_patch(s, parse_json(look_of(name), name), name);
 }
 

@@ -173,11 +173,13 @@ TEST(Keys, AnOptionIsReachedByItsKeyOrByALetterOfItsPage) {
       const std::string letter = option_letter(all, *o);
       ASSERT_EQ(letter.size(), 1u) << o->path;
       if (o->kind != Kind::choice) continue;
-      Settings expected = desk.settings;
-      cycle(*o, expected, 1, {});
+      const Settings before = desk.settings;
+      Settings expected = before;
+      do cycle(*o, expected, 1, {});  // rows that make no sense as things stand are passed over
+      while (!validate(expected, {}).empty());
       desk.press(lower(letter));
       EXPECT_EQ(desk.settings, expected) << o->path;
-      cycle(*o, expected, -1, {});
+      expected = before;
       desk.press(lower(letter), true);
       EXPECT_EQ(desk.settings, expected) << o->path;
     }

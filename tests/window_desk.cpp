@@ -56,7 +56,12 @@ WindowDesk::WindowDesk(std::vector<std::string> arguments) {
   if (!missing_.empty()) return;
   char name[] = "/tmp/gbl-window-XXXXXX";
   folder_ = mkdtemp(name);
-  start_server();
+  // A server may name its display and yet refuse the first client; then another one is started.
+  for (int attempt = 0; attempt < 4 && !server_answers(); ++attempt) {
+    stop(server_);
+    start_server();
+  }
+  if (!server_answers()) why_not_ = "Xvfb does not answer";
   if (!why_not_.empty()) return;
   start_program(arguments);
   wait_for([&] { return !(window_ = find_window()).empty(); }, 20s);
@@ -88,6 +93,12 @@ void WindowDesk::start_server() {
   if (read(fds[0], number, sizeof number - 1) <= 0) why_not_ = "Xvfb did not start";
   ::close(fds[0]);
   display_ = fmt::format(":{}", std::atoi(number));
+}
+
+bool WindowDesk::server_answers() const {
+  if (display_.empty()) return false;
+  const std::string ask = fmt::format("DISPLAY={} xdotool getdisplaygeometry 2>/dev/null", display_);
+  return wait_for([&] { return output_of(ask) == "1600 900"; }, 2s);
 }
 
 void WindowDesk::start_program(const std::vector<std::string>& arguments) {

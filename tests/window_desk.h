@@ -34,6 +34,7 @@ class WindowDesk {
 
  private:
   void start_server();
+  bool server_answers() const;
   void start_program(const std::vector<std::string>& arguments);
   std::string find_window() const;
   void wait_until_drawn();

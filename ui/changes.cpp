@@ -55,6 +55,14 @@ void edit(Frame& f, const std::function<void(Settings&)>& change) {
 
 namespace {
 // Who asks for a number of lights means generated ones, as --lights does: a scene's own have no number to change.
+// The next row that makes sense as things stand: `rig` needs a rig's file first.
+void step_choice(const Option& o, Settings& s, int step, FeatureSet features) {
+  for (size_t tries = 0; tries < o.values.size(); ++tries) {
+    cycle(o, s, step, features);
+    if (validate(s, {features}).empty()) return;
+  }
+}
+
 void imply(const Option& o, Settings& s) {
   if (std::string_view(o.path) == "lights.count") s.lights.source = LightSource::generated;
 }
@@ -74,7 +82,7 @@ void step_option(Frame& f, const Option& o, int step) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
     if (o.kind == Kind::choice)
-      cycle(o, s, step, f.input.features);
+      step_choice(o, s, step, f.input.features);
     else if (o.kind == Kind::integer)
       o.set(s, next_power(o.get(s).get<int>(), step, static_cast<int>(o.max)), o);
     imply(o, s);
