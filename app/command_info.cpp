@@ -5,7 +5,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "renderer/gl/device.h"
-#include "renderer/scene_gltf.h"
+#include "renderer/gltf/scene_gltf.h"
 #include "renderer/settings_json.h"
 
 namespace gbl {

@@ -5,7 +5,7 @@
 
 #include "app/commands.h"
 #include "app/headless.h"
-#include "renderer/builtin_scenes.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/gl/device.h"
 #include "renderer/lessons.h"
 #include "renderer/normal_encoding.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/builtin_scenes.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/settings_json.h"
 
 namespace gbl {

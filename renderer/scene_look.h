@@ -3,7 +3,7 @@
 #include <memory>
 #include <string_view>
 
-#include "renderer/scene_gltf.h"
+#include "renderer/gltf/scene_gltf.h"
 #include "renderer/settings.h"
 
 namespace gbl {

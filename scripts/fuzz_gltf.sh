@@ -12,14 +12,14 @@ cd "$build"
 
 # Errors that the loader throws are caught by type across files: one set of flags for all of them.
 flags="-std=c++20 -g -O1 -ffp-contract=off -I$root -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined"
-sources="$root/renderer/gltf_*.cpp $root/renderer/scene_gltf.cpp $root/renderer/tangents.cpp $root/renderer/scene.cpp
+sources="$root/renderer/gltf/*.cpp $root/renderer/scene.cpp
   $root/renderer/camera.cpp $root/renderer/error.cpp $root/tests/gltf_fixture.cpp $root/tests/gltf_seeds.cpp
   $root/tests/fuzz/gltf_fuzz.cpp $root/tests/fuzz/make_seeds.cpp"
 objects=
 for source in $sources; do
   object=$(basename "$source" .cpp).o
   # Headers are not tracked; they are few, and a stale object would fuzz yesterday's code.
-  if [ ! -e "$object" ] || [ -n "$(find "$source" "$root"/renderer/*.h "$root"/tests/*.h -newer "$object" | head -n 1)" ]; then
+  if [ ! -e "$object" ] || [ -n "$(find "$source" "$root"/renderer/*.h "$root"/renderer/gltf/*.h "$root"/tests/*.h -newer "$object" | head -n 1)" ]; then
     # shellcheck disable=SC2086
     clang++ $flags -c "$source" -o "$object"
   fi

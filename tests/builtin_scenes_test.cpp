@@ -1,5 +1,5 @@
 // What every built-in scene promises, from the table: a new row is tested by itself.
-#include "renderer/builtin_scenes.h"
+#include "renderer/scenes/builtin_scenes.h"
 
 #include <algorithm>
 #include <cmath>

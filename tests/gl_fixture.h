@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "app/headless.h"
-#include "renderer/builtin_scenes.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/gl/device.h"
-#include "renderer/mesh_builder.h"
+#include "renderer/scenes/mesh_builder.h"
 #include "renderer/passes/frame.h"
 #include "renderer/presets.h"
 #include "tests/picture.h"

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "renderer/scene_gltf.h"
+#include "renderer/gltf/scene_gltf.h"
 
 namespace gbl::test {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "renderer/tangents.h"
+#include "renderer/gltf/tangents.h"
 #include "tests/gltf_fixture.h"
 
 namespace gbl {

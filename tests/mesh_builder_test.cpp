@@ -1,4 +1,4 @@
-#include "renderer/mesh_builder.h"
+#include "renderer/scenes/mesh_builder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/procedural_texture.h"
+#include "renderer/scenes/procedural_texture.h"
 
 #include <algorithm>
 #include <cmath>

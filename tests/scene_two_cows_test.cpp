@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "renderer/builtin_scenes.h"
+#include "renderer/scenes/builtin_scenes.h"
 
 namespace gbl {
 namespace {

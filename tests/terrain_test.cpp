@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "renderer/builtin_scenes.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "tests/mesh_promises.h"
 
 namespace gbl {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "renderer/error.h"
-#include "renderer/scene_gltf.h"
+#include "renderer/gltf/scene_gltf.h"
 
 namespace {
 
