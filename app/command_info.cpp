@@ -26,7 +26,8 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
                    {"rgba16f_blend", gl::label(rounding.half_blend)},
                    {"r11g11b10f_store", gl::label(rounding.r11_store)}};
   j["gltf_limits"] = Json::array();
-  for (const GltfLimit& l : gltf_limits()) j["gltf_limits"].push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
+  for (const GltfLimit& l : gltf_limits())
+    j["gltf_limits"].push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
   j["gltf_extensions"] = Json::array();
   for (const std::string_view e : gltf_extensions()) j["gltf_extensions"].push_back(e);
   j["features"] = Json::array();

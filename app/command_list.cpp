@@ -5,12 +5,12 @@
 
 #include "app/commands.h"
 #include "app/headless.h"
-#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/gl/device.h"
 #include "renderer/lessons.h"
 #include "renderer/normal_encoding.h"
 #include "renderer/options.h"
 #include "renderer/presets.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "ui/ui.h"
 
 namespace gbl {
@@ -148,8 +148,8 @@ const List& list_called(const std::string& what) {
     if (what == l.id) return l;
     known.push_back(l.id);
   }
-  throw Error(ExitCode::bad_input, "list", what.empty() ? "name what to list" : fmt::format("nothing called '{}'", what),
-              suggest(what, known));
+  throw Error(ExitCode::bad_input, "list",
+              what.empty() ? "name what to list" : fmt::format("nothing called '{}'", what), suggest(what, known));
 }
 
 // What this machine's driver has; empty and the reason when there is none.
@@ -222,7 +222,8 @@ std::string as_text(const Json& all) {
   std::string out;
   for (const Json& r : all) {
     const std::string key = r.contains("key") && !cell(r["key"]).empty() ? "[" + cell(r["key"]) + "] " : "";
-    const std::string pitfall = r.contains("pitfall") && !cell(r["pitfall"]).empty() ? "  UNSOUND: " + cell(r["pitfall"]) : "";
+    const std::string pitfall =
+        r.contains("pitfall") && !cell(r["pitfall"]).empty() ? "  UNSOUND: " + cell(r["pitfall"]) : "";
     const std::string values = r.contains("values") ? "  (" + cell(r["values"]) + ")" : "";
     const std::string help = r.contains("help") ? cell(r["help"]) : "";
     out += fmt::format("{:<{}}  {}{}{}{}{}\n", cell(r["id"]), width, key, cell(r["label"]),
@@ -237,12 +238,14 @@ ExitCode run_list(const Arguments& a) {
   const List& list = list_called(a.what);
   const Availability here = a.markdown ? Availability{} : availability(a);
   const Json all = as_json(list.rows(), here);
-  if (a.json) fmt::print("{}\n", all.dump(2));
+  if (a.json)
+    fmt::print("{}\n", all.dump(2));
   else if (a.markdown) {
     Json shown = all;
     for (Json& r : shown) r.erase("reason"), r.erase("available");
     fmt::print("{}", as_markdown(shown));
-  } else fmt::print("{}", as_text(all));
+  } else
+    fmt::print("{}", as_text(all));
   return ExitCode::done;
 }
 

@@ -15,8 +15,8 @@ namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kWarnMs = 5000;       // a frame predicted longer than this is announced
-constexpr double kMaxLitTests = 4e9;   // pairs_lit is a full-screen loop over all lights: above this it is left out
+constexpr double kWarnMs = 5000;      // a frame predicted longer than this is announced
+constexpr double kMaxLitTests = 4e9;  // pairs_lit is a full-screen loop over all lights: above this it is left out
 
 std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
   std::vector<View> out;
@@ -47,9 +47,8 @@ class Writer {
   Writer(fs::path folder, PngText texts) : folder_(std::move(folder)), texts_(std::move(texts)) {}
   void write(const std::string& name, Image image) {
     written_.push_back(name);
-    tasks_.push_back(std::async(std::launch::async, [this, name, image = std::move(image)] {
-      write_png(folder_ / name, image, texts_);
-    }));
+    tasks_.push_back(std::async(std::launch::async,
+                                [this, name, image = std::move(image)] { write_png(folder_ / name, image, texts_); }));
   }
   std::vector<std::string> finish() {
     for (auto& t : tasks_) t.get();
@@ -65,9 +64,10 @@ class Writer {
 
 std::string in_words(const Settings& s, const FrameReport& r) {
   const Preset* p = preset_of(s);
-  std::string text = fmt::format("{} · {}x{} · {} lights, {} · cull {} · normal {} · {} + {} B/px", p ? p->label : s.scene,
-                                 s.size.x, s.size.y, r.light_count, row(s.lights.method).label, row(s.lights.cull).id,
-                                 row(s.normal.encoding).label, r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
+  std::string text =
+      fmt::format("{} · {}x{} · {} lights, {} · cull {} · normal {} · {} + {} B/px", p ? p->label : s.scene, s.size.x,
+                  s.size.y, r.light_count, row(s.lights.method).label, row(s.lights.cull).id,
+                  row(s.normal.encoding).label, r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
     text += fmt::format(" · shaded ÷ lit {:.2f}", double(r.pairs->shaded) / double(*r.pairs->lit));
   return text;
@@ -120,8 +120,10 @@ ExitCode run_render(const Arguments& a) {
   if (a.sheet) writer.write("sheet.png", picture_of(lab, sheet_of(lab, shown)));
   write_text_file(folder / "settings.json", state);
   const std::vector<std::string> files = writer.finish();
-  if (a.json) fmt::print("{}\n", report_json(lab).dump(2));
-  else fmt::print("{}\n{} pictures and settings.json in {}\n", in_words(s, lab.report()), files.size(), folder.string());
+  if (a.json)
+    fmt::print("{}\n", report_json(lab).dump(2));
+  else
+    fmt::print("{}\n{} pictures and settings.json in {}\n", in_words(s, lab.report()), files.size(), folder.string());
   return ExitCode::done;
 }
 
@@ -149,8 +151,8 @@ Image three_culls(Lab& lab, Settings s) {
     lab.draw(s);
     lab.draw_view(View::final);
     kept.push_back(lab.copy_of(View::final));
-    sheet.tiles.push_back({View::final, {kept.back().texture.id(), s.size},
-                           fmt::format("cull {}: {}", row(cull).id, row(cull).help)});
+    sheet.tiles.push_back(
+        {View::final, {kept.back().texture.id(), s.size}, fmt::format("cull {}: {}", row(cull).id, row(cull).help)});
   }
   sheet.caption = "The camera stands inside the volumes of two lights, and outside all others.";
   return picture_of(lab, sheet);

@@ -52,8 +52,13 @@ struct GlfwBackend {
 class Loop {
  public:
   Loop(const Arguments& a, Settings s, std::shared_ptr<const Scene> scene)
-      : settings_(std::move(s)), ui_(settings_, a.present), window_(kWindowSize, "G-Buffer Lab"), lab_(without_of(a)),
-        viewer_(lab_), screen_(ui_), backend_(window_) {
+      : settings_(std::move(s)),
+        ui_(settings_, a.present),
+        window_(kWindowSize, "G-Buffer Lab"),
+        lab_(without_of(a)),
+        viewer_(lab_),
+        screen_(ui_),
+        backend_(window_) {
     if (scene) lab_.show(settings_.scene, std::move(scene));
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
     settings_.size = {800, 450};

@@ -3,6 +3,7 @@
 // epoxy first: its GL types and EGL's platform header clash in the other order. EGL itself comes from libEGL, since
 // epoxy aborts on eglGetPlatformDisplay.
 #include <epoxy/gl.h>
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
@@ -34,8 +35,9 @@ HeadlessContext::HeadlessContext() : handles_(std::make_unique<Handles>()) {
   if (handles_->display == EGL_NO_DISPLAY || !eglInitialize(handles_->display, nullptr, nullptr))
     no_gl("opening a display without a screen");
   if (!eglBindAPI(EGL_OPENGL_API)) no_gl("choosing OpenGL");
-  const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                               EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint attributes[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   handles_->context = eglCreateContext(handles_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   if (handles_->context == EGL_NO_CONTEXT) no_gl("creating an OpenGL 3.3 core context");
   if (!eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context))

@@ -84,10 +84,8 @@ Canvas Lab::copy_of(View view) const {
 }
 
 ui::Input ui_input(const Lab& lab) {
-  ui::Input input{.scene = lab.scene(),
-                  .lights = lab.targets().lights,
-                  .features = lab.device().features,
-                  .report = lab.report()};
+  ui::Input input{
+      .scene = lab.scene(), .lights = lab.targets().lights, .features = lab.device().features, .report = lab.report()};
   for (int v = 0; v < kViewCount; ++v) input.images[v] = lab.handle_of(static_cast<View>(v));
   return input;
 }

@@ -13,7 +13,7 @@ namespace gbl {
 
 class SceneLoader {
  public:
-  ~SceneLoader();  // cancels and waits
+  ~SceneLoader();                // cancels and waits
   void start(std::string name);  // cancels what is under way
   bool loading() const { return task_.valid(); }
   const std::string& name() const { return name_; }

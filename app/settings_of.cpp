@@ -34,7 +34,8 @@ void apply_camera(Settings& s, const std::string& text) {
   std::istringstream split(text);
   for (std::string part; std::getline(split, part, ':');) parts.push_back(part);
   const auto bad = [&] {
-    return Error(ExitCode::bad_input, "--camera", fmt::format("'{}' is not a camera", text), fmt::format("write {}", kForm));
+    return Error(ExitCode::bad_input, "--camera", fmt::format("'{}' is not a camera", text),
+                 fmt::format("write {}", kForm));
   };
   if (parts.size() < 2 || parts.size() > 3) throw bad();
   const auto place = numbers(parts[0], "--camera", kForm), turn = numbers(parts[1], "--camera", kForm);

@@ -8,9 +8,9 @@
 namespace gbl {
 namespace {
 
-constexpr double kStillBudgetMs = 2000;   // a frame predicted longer is drawn smaller, with a banner
-constexpr double kMovingBudgetMs = 33;    // while something moves, a frame predicted longer is drawn at half size
-constexpr double kMaxLitTests = 2e8;      // pairs_lit is a loop over all lights: above this the window leaves it out
+constexpr double kStillBudgetMs = 2000;  // a frame predicted longer is drawn smaller, with a banner
+constexpr double kMovingBudgetMs = 33;   // while something moves, a frame predicted longer is drawn at half size
+constexpr double kMaxLitTests = 2e8;     // pairs_lit is a loop over all lights: above this the window leaves it out
 
 // What decides the picture, without what only decides which pictures are looked at.
 Settings without_view(Settings s) {
@@ -26,8 +26,9 @@ Settings Viewer::affordable(const Settings& s, bool moving) {
   const double predicted = lab_.cost().predict_ms(s, lights);
   if (moving && predicted > kMovingBudgetMs && lab_.device().software) out.size = glm::max(s.size / 2, glm::ivec2(1));
   const glm::ivec2 size = lab_.cost().affordable_size(out, lights, kStillBudgetMs);
-  banner_ = size == out.size ? ""
-                             : fmt::format("predicted {:.1f} s a frame: drawn at {}x{}", predicted / 1000, size.x, size.y);
+  banner_ = size == out.size
+                ? ""
+                : fmt::format("predicted {:.1f} s a frame: drawn at {}x{}", predicted / 1000, size.x, size.y);
   out.size = size;
   return out;
 }

@@ -19,10 +19,15 @@ class Viewer {
 
   // A model's file dropped on the window, or a scene named in the options: read it beside the running picture. The old
   // scene stays until it is there, and for good if it cannot be read.
-  void drop(const std::string& file) { dropped_ = file; loader_.start(file); }
+  void drop(const std::string& file) {
+    dropped_ = file;
+    loader_.start(file);
+  }
   // Once: the settings with the dropped scene, when it has been read.
   std::optional<Settings> take_opened(const Settings&);
-  void finish_loading() { while (loader_.loading()) arrive(true); }  // for tests and the first frame
+  void finish_loading() {
+    while (loader_.loading()) arrive(true);
+  }  // for tests and the first frame
   void say(std::string message) { message_ = std::move(message); }
 
   // Is there more to come without any input: an answer under way, a smaller picture to be replaced?
@@ -39,7 +44,7 @@ class Viewer {
   Lab& lab_;
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
-  Settings asked_;       // of the last attempt, drawn or refused
+  Settings asked_;                          // of the last attempt, drawn or refused
   bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false;
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
   Settings::View view_drawn_;

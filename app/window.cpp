@@ -15,11 +15,15 @@ struct NamedKey {
   const char* name;
 };
 constexpr NamedKey kNamedKeys[] = {
-    {GLFW_KEY_HOME, "Home"},   {GLFW_KEY_END, "End"},     {GLFW_KEY_PAGE_UP, "PgUp"}, {GLFW_KEY_PAGE_DOWN, "PgDn"},
-    {GLFW_KEY_ENTER, "Enter"}, {GLFW_KEY_KP_ENTER, "Enter"}, {GLFW_KEY_ESCAPE, "Esc"}, {GLFW_KEY_TAB, "Tab"},
-    {GLFW_KEY_SPACE, "Space"}, {GLFW_KEY_LEFT, "Left"},   {GLFW_KEY_RIGHT, "Right"},  {GLFW_KEY_UP, "Up"},
-    {GLFW_KEY_DOWN, "Down"},   {GLFW_KEY_LEFT_SHIFT, "Shift"}, {GLFW_KEY_RIGHT_SHIFT, "Shift"},
-    {GLFW_KEY_LEFT_CONTROL, "Ctrl"}, {GLFW_KEY_RIGHT_CONTROL, "Ctrl"},
+    {GLFW_KEY_HOME, "Home"},          {GLFW_KEY_END, "End"},
+    {GLFW_KEY_PAGE_UP, "PgUp"},       {GLFW_KEY_PAGE_DOWN, "PgDn"},
+    {GLFW_KEY_ENTER, "Enter"},        {GLFW_KEY_KP_ENTER, "Enter"},
+    {GLFW_KEY_ESCAPE, "Esc"},         {GLFW_KEY_TAB, "Tab"},
+    {GLFW_KEY_SPACE, "Space"},        {GLFW_KEY_LEFT, "Left"},
+    {GLFW_KEY_RIGHT, "Right"},        {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},          {GLFW_KEY_LEFT_SHIFT, "Shift"},
+    {GLFW_KEY_RIGHT_SHIFT, "Shift"},  {GLFW_KEY_LEFT_CONTROL, "Ctrl"},
+    {GLFW_KEY_RIGHT_CONTROL, "Ctrl"},
 };
 
 // Found as characters, since keyboards put them in different places.

@@ -23,10 +23,10 @@ class Window {
   void swap();
   GLFWwindow* handle() const { return window_; }
 
-  std::vector<ui::KeyEvent> take_keys();       // since the last call
-  std::vector<std::string> take_drops();       // files dropped on the window since the last call
+  std::vector<ui::KeyEvent> take_keys();  // since the last call
+  std::vector<std::string> take_drops();  // files dropped on the window since the last call
   const std::set<std::string>& held() const { return held_; }
-  bool saw_input();                            // any event since the last call
+  bool saw_input();  // any event since the last call
 
  private:
   static void on_key(GLFWwindow*, int key, int scancode, int action, int mods);

@@ -151,11 +151,11 @@ constexpr ValueRow kVolumeOverlay[] = {
 
 }  // namespace
 
-#define GBL_ROWS(Enum, table)                                 \
-  static_assert(in_order(table), "row i must have value i");  \
-  template <>                                                 \
-  std::span<const ValueRow> rows<Enum>() {                    \
-    return table;                                             \
+#define GBL_ROWS(Enum, table)                                \
+  static_assert(in_order(table), "row i must have value i"); \
+  template <>                                                \
+  std::span<const ValueRow> rows<Enum>() {                   \
+    return table;                                            \
   }
 GBL_ROWS(LightSource, kLightSource)
 GBL_ROWS(LightSpot, kLightSpot)

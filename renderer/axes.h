@@ -10,13 +10,13 @@
 namespace gbl {
 
 struct ValueRow {
-  int value;                    // == its index; checked at compile time
-  const char* id;               // kebab-case; a promise: changing one is a CHANGELOG line
-  const char* label;            // for the screen
-  const char* help;             // one line: what it does
-  const char* cost = "";        // bits, bytes or pairs it costs; empty = nothing beyond the axis' other rows
-  const char* source = "";      // author, year, title
-  const char* pitfall = "";     // empty = sound; else the failure of the catalogue that this row shows
+  int value;                 // == its index; checked at compile time
+  const char* id;            // kebab-case; a promise: changing one is a CHANGELOG line
+  const char* label;         // for the screen
+  const char* help;          // one line: what it does
+  const char* cost = "";     // bits, bytes or pairs it costs; empty = nothing beyond the axis' other rows
+  const char* source = "";   // author, year, title
+  const char* pitfall = "";  // empty = sound; else the failure of the catalogue that this row shows
   Feature needs = Feature::none;
 
   constexpr bool sound() const { return pitfall[0] == '\0'; }

@@ -36,9 +36,8 @@ Error::Error(ExitCode code, std::string_view where, std::string_view what, std::
 
 std::string suggest(std::string_view given, const std::string_view* known, size_t count) {
   if (count == 0) return "no value is built yet";
-  const auto* nearest = std::min_element(known, known + count, [&](auto a, auto b) {
-    return edit_distance(given, a) < edit_distance(given, b);
-  });
+  const auto* nearest = std::min_element(
+      known, known + count, [&](auto a, auto b) { return edit_distance(given, a) < edit_distance(given, b); });
   // Further than half the word is no misspelling: then the list alone helps more.
   const bool close = edit_distance(given, *nearest) <= std::max<size_t>(2, nearest->size() / 2);
   return fmt::format("{}known: {}", close ? fmt::format("did you mean '{}'? ", *nearest) : "",

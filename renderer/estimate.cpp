@@ -16,7 +16,8 @@ double covered_share(const Settings& s, const Light& light, double scale) {
   const double d = glm::length(to_light), r = light.range * scale;
   if (d <= r * 1.01) return 1;
   if (glm::dot(to_light, s.camera.forward()) < -r) return 0;
-  const double half_height = s.camera.orthographic() ? s.camera.orthographic_height / 2 / d : std::tan(glm::radians(s.camera.fov) / 2);
+  const double half_height =
+      s.camera.orthographic() ? s.camera.orthographic_height / 2 / d : std::tan(glm::radians(s.camera.fov) / 2);
   const double tangent = r / std::sqrt(d * d - r * r);
   const double aspect = double(s.size.x) / s.size.y;
   return std::min(1.0, 3.14159265 * tangent * tangent / (4 * half_height * half_height * aspect));

@@ -10,7 +10,7 @@ enum class Numeric { unorm, uint, floating, depth };
 struct FormatRow {
   Format format;
   const char* label;
-  int bytes;     // per pixel as stored, padding included
+  int bytes;  // per pixel as stored, padding included
   int channels;
   Numeric numeric;
 };

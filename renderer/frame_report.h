@@ -14,8 +14,8 @@ struct PassTime {
 };
 
 struct PairCounts {
-  uint64_t tested = 0;  // (pixel with geometry, light) whose record was read for that pixel
-  uint64_t shaded = 0;  // of those, passed to shade()
+  uint64_t tested = 0;          // (pixel with geometry, light) whose record was read for that pixel
+  uint64_t shaded = 0;          // of those, passed to shade()
   std::optional<uint64_t> lit;  // distance < range; counted by a pass of its own
 };
 
@@ -27,9 +27,9 @@ struct FrameReport {
   int draw_calls = 0;
   int gbuffer_bytes_per_pixel = 0;
   int accumulation_bytes_per_pixel = 0;
-  double mib = 0;                // of all targets of the frame
-  int light_count = 0;           // lights drawn
-  std::string note;              // reduced size, missing feature, …; empty = nothing to say
+  double mib = 0;       // of all targets of the frame
+  int light_count = 0;  // lights drawn
+  std::string note;     // reduced size, missing feature, …; empty = nothing to say
 };
 
 }  // namespace gbl

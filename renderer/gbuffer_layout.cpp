@@ -11,13 +11,15 @@ struct MaterialRow {
 
 constexpr MaterialRow kMaterials[] = {
     {Layout::albedo_roughness,
-     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba8, "rgb: albedo, sRGB-coded; a: roughness"},
+     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba8,
+      "rgb: albedo, sRGB-coded; a: roughness"},
      {true, true, ""}},
     {Layout::nclgl,
      {"gbuffer.colour", Pass::geometry, Stores::material, Format::rgba8, "rgb: colour, sRGB-coded; a: 1, unused"},
      {false, true, "the nclgl layout stores no roughness: the exponent is one constant for all surfaces"}},
     {Layout::float32,
-     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba32f, "rgb: albedo, linear; a: roughness"},
+     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba32f,
+      "rgb: albedo, linear; a: roughness"},
      {true, false, ""}},
 };
 
@@ -56,11 +58,13 @@ std::vector<Attachment> attachments(const Settings& s) {
   all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, normal_format(s.normal.encoding),
                  row(s.normal.encoding).label});
   if (s.layout == Layout::float32) {
-    all.push_back({"gbuffer.reflectance", Pass::geometry, Stores::reflectance, Format::rgba32f, "rgb: F0; a: occlusion"});
-    all.push_back({"gbuffer.emission", Pass::geometry, Stores::emission, Format::rgba32f, "rgb: radiance it sends out itself"});
+    all.push_back(
+        {"gbuffer.reflectance", Pass::geometry, Stores::reflectance, Format::rgba32f, "rgb: F0; a: occlusion"});
+    all.push_back(
+        {"gbuffer.emission", Pass::geometry, Stores::emission, Format::rgba32f, "rgb: radiance it sends out itself"});
   }
-  all.push_back({"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s.depth.format),
-                 "window depth 0..1, near to far"});
+  all.push_back(
+      {"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s.depth.format), "window depth 0..1, near to far"});
   const Format sum = accumulation_format(s.accumulation.format);
   if (s.accumulation.targets == AccumulationTargets::split) {
     all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
@@ -68,7 +72,8 @@ std::vector<Attachment> attachments(const Settings& s) {
   } else {
     all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
   }
-  all.push_back({"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
+  all.push_back(
+      {"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
   return all;
 }
 

@@ -13,7 +13,7 @@ enum class Pass { geometry, lighting, combine, display };
 enum class Stores { material, normal, reflectance, emission, depth, light, diffuse_light, specular_light, lit };
 
 struct Attachment {
-  const char* name;      // also the sampler's and the debug label's
+  const char* name;  // also the sampler's and the debug label's
   Pass written_by;
   Stores stores;
   Format format;
@@ -33,7 +33,7 @@ int accumulation_bytes_per_pixel(const Settings&);
 // What the layout keeps of the material: a view or a shader asks before it decodes.
 struct LayoutFacts {
   bool stores_roughness;
-  bool srgb_coded_albedo;  // coded in the shader; else the texture's code is stored as it is
+  bool srgb_coded_albedo;         // coded in the shader; else the texture's code is stored as it is
   const char* roughness_missing;  // sentence for the panel when it is not stored
 };
 const LayoutFacts& facts(Layout);

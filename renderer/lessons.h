@@ -28,8 +28,8 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-std::vector<std::string> lesson_ids();        // sorted
-Lesson load_lesson(std::string_view id);      // Error with the known ones; every step's patch has been tried
+std::vector<std::string> lesson_ids();    // sorted
+Lesson load_lesson(std::string_view id);  // Error with the known ones; every step's patch has been tried
 Lesson parse_lesson(std::string_view id, std::string_view json_text);
 
 Settings settings_at(const Lesson&, size_t step);

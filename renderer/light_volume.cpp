@@ -11,11 +11,21 @@ namespace {
 VolumeMesh icosahedron() {
   const double phi = (1 + std::sqrt(5.0)) / 2;
   VolumeMesh m;
-  for (const glm::dvec3 v : {glm::dvec3(-1, phi, 0), {1, phi, 0}, {-1, -phi, 0}, {1, -phi, 0}, {0, -1, phi}, {0, 1, phi},
-                             {0, -1, -phi}, {0, 1, -phi}, {phi, 0, -1}, {phi, 0, 1}, {-phi, 0, -1}, {-phi, 0, 1}})
+  for (const glm::dvec3 v : {glm::dvec3(-1, phi, 0),
+                             {1, phi, 0},
+                             {-1, -phi, 0},
+                             {1, -phi, 0},
+                             {0, -1, phi},
+                             {0, 1, phi},
+                             {0, -1, -phi},
+                             {0, 1, -phi},
+                             {phi, 0, -1},
+                             {phi, 0, 1},
+                             {-phi, 0, -1},
+                             {-phi, 0, 1}})
     m.vertices.push_back(glm::vec3(glm::normalize(v)));
-  m.triangles = {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8,
-                 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+  m.triangles = {0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4,  11, 10, 2,  10, 7, 6, 7, 1, 8,
+                 3, 9,  4, 3, 4, 2, 3, 2, 6, 3, 6, 8,  3, 8,  9,  4, 9, 5, 2, 4,  11, 6,  2,  10, 8,  6, 7, 9, 8, 1};
   return m;
 }
 
@@ -38,7 +48,8 @@ void split_faces(VolumeMesh& m) {
 double inradius(const VolumeMesh& m) {
   double nearest = 1;
   for (size_t t = 0; t < m.triangles.size(); t += 3) {
-    const glm::dvec3 a(m.vertices[m.triangles[t]]), b(m.vertices[m.triangles[t + 1]]), c(m.vertices[m.triangles[t + 2]]);
+    const glm::dvec3 a(m.vertices[m.triangles[t]]), b(m.vertices[m.triangles[t + 1]]),
+        c(m.vertices[m.triangles[t + 2]]);
     nearest = std::min(nearest, glm::dot(glm::normalize(glm::cross(b - a, c - a)), a));
   }
   return nearest;

@@ -46,14 +46,13 @@ V rounded_to_half(const V& v) {
 
 const EncodingRow& row_of(NormalEncoding e) { return kRows[static_cast<int>(e)]; }
 
-#define STORED(space, V)                                                                                   \
-  switch (e) {                                                                                             \
-    case NormalEncoding::oct16: return space::decode_oct16(space::encode_oct16(n));                        \
-    case NormalEncoding::oct8: return space::decode_oct8(space::encode_oct8(n));                           \
-    case NormalEncoding::xyz8: return space::decode_xyz8(space::encode_xyz8(n));                           \
-    case NormalEncoding::stereo16f:                                                                        \
-      return space::decode_stereo16f(rounded_to_half(space::encode_stereo16f(n)));                         \
-  }                                                                                                        \
+#define STORED(space, V)                                                                                         \
+  switch (e) {                                                                                                   \
+    case NormalEncoding::oct16: return space::decode_oct16(space::encode_oct16(n));                              \
+    case NormalEncoding::oct8: return space::decode_oct8(space::encode_oct8(n));                                 \
+    case NormalEncoding::xyz8: return space::decode_xyz8(space::encode_xyz8(n));                                 \
+    case NormalEncoding::stereo16f: return space::decode_stereo16f(rounded_to_half(space::encode_stereo16f(n))); \
+  }                                                                                                              \
   return V(0)
 
 glm::dvec3 stored_normal_f64(NormalEncoding e, const glm::dvec3& n) { STORED(f64, glm::dvec3); }

@@ -20,7 +20,8 @@ namespace {
 double checked_number(const Option& o, const Json& v) {
   if (!v.is_number() || !std::isfinite(v.get<double>())) bad_value(o, v, "a finite number");
   const double x = v.get<double>();
-  if (x < o.min || x > o.max) bad_value(o, v, fmt::format("in {:g} ... {:g}{}{}", o.min, o.max, *o.unit ? " " : "", o.unit));
+  if (x < o.min || x > o.max)
+    bad_value(o, v, fmt::format("in {:g} ... {:g}{}{}", o.min, o.max, *o.unit ? " " : "", o.unit));
   return x;
 }
 
@@ -60,7 +61,7 @@ E checked_choice(const Option& o, const Json& v) {
 // Accessors: one for reading, one for writing, from the same member expression.
 #define GET(expr) [](const Settings& s) -> Json { return expr; }
 #define SET(...) [](Settings& s, const Json& v, const Option& o) { __VA_ARGS__; }
-#define CHOICE(E, member)                                             \
+#define CHOICE(E, member)                                                  \
   .kind = Kind::choice, .values = rows<E>(), .get = GET(row(s.member).id), \
   .set = SET(s.member = checked_choice<E>(o, v))
 #define NUMBER(member, lo, hi) \

@@ -21,7 +21,7 @@ struct Option {
   Group group;
   const char* label;
   const char* help;
-  const char* key = "";                   // one letter on the keyboard; "" = reached through `O`
+  const char* key = "";  // one letter on the keyboard; "" = reached through `O`
   const char* unit = "";
   Kind kind;
   std::span<const ValueRow> values = {};  // of a choice

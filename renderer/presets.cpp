@@ -51,7 +51,8 @@ Settings nclgl_fixed() {
 
 constexpr Preset kPresets[] = {
     {"start", "Start", "the first screen: terrain, 64 lights as volumes, 12 bytes per pixel", start},
-    {"nclgl-fixed", "nclgl, mended", "nclgl tutorial 15 with its mistakes mended: RGBA8 colour, RGBA8 normal, D24", nclgl_fixed},
+    {"nclgl-fixed", "nclgl, mended", "nclgl tutorial 15 with its mistakes mended: RGBA8 colour, RGBA8 normal, D24",
+     nclgl_fixed},
 };
 
 }  // namespace

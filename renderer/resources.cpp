@@ -17,10 +17,12 @@
 #define GBL_SECTION ".section .rodata\n"
 #define GBL_SYMBOL(n) "gbl_resource_" #n
 #endif
-#define EMBED_AT(line, file)                                                                                  \
-  asm(GBL_SECTION ".globl " GBL_SYMBOL(line) "\n" GBL_SYMBOL(line) ":\n.incbin \"" file "\"\n"               \
-      ".globl " GBL_SYMBOL(line##_end) "\n" GBL_SYMBOL(line##_end) ":\n.byte 0\n.text\n");                   \
-  extern "C" const char gbl_resource_##line[];                                                                \
+#define EMBED_AT(line, file)                                                                                         \
+  asm(GBL_SECTION ".globl " GBL_SYMBOL(line) "\n" GBL_SYMBOL(line) ":\n.incbin \"" file                              \
+                                                                   "\"\n"                                            \
+                                                                   ".globl " GBL_SYMBOL(line##_end) "\n" GBL_SYMBOL( \
+                                                                       line##_end) ":\n.byte 0\n.text\n");           \
+  extern "C" const char gbl_resource_##line[];                                                                       \
   extern "C" const char gbl_resource_##line##_end[];
 #define EMBED(line, file) EMBED_AT(line, file)
 #define ROW(name, file) EMBED(__LINE__, file)
@@ -43,9 +45,8 @@ const Embedded kEmbedded[] = {
 };
 #undef ROW
 
-std::filesystem::path g_override = std::filesystem::exists(std::filesystem::path(GBL_SOURCE_FOLDER) / "shaders")
-                                       ? GBL_SOURCE_FOLDER
-                                       : "";
+std::filesystem::path g_override =
+    std::filesystem::exists(std::filesystem::path(GBL_SOURCE_FOLDER) / "shaders") ? GBL_SOURCE_FOLDER : "";
 
 }  // namespace
 

@@ -66,7 +66,8 @@ LightKind kind_of(const Json& json, const Members& m) {
 Light light_of(const Json& json, std::string where) {
   constexpr double kFar = 1e9;
   const Members m(json, std::move(where));
-  m.only({"kind", "position", "direction", "colour", "candela", "lux", "range", "inner_deg", "outer_deg", "attenuation"});
+  m.only(
+      {"kind", "position", "direction", "colour", "candela", "lux", "range", "inner_deg", "outer_deg", "attenuation"});
   Light l;
   l.kind = kind_of(json, m);
   if (l.kind != LightKind::directional) l.position = m.vector("position", -kFar, kFar);
@@ -97,12 +98,14 @@ std::vector<Light> parse_rig(std::string_view text, std::string_view where) {
   m.only({"version", "lights"});
   const double version = m.number("version", 1, 1e9);
   if (version > kRigVersion)
-    m.bad("version", fmt::format("{:g} is newer than this program reads ({}); update the program", version, kRigVersion));
+    m.bad("version",
+          fmt::format("{:g} is newer than this program reads ({}); update the program", version, kRigVersion));
   if (!m.has("lights") || !json["lights"].is_array()) m.bad("lights", "is not an array");
   if (json["lights"].size() > static_cast<size_t>(kMaxLights))
     m.bad("lights", fmt::format("holds more than {} lights", kMaxLights));
   std::vector<Light> lights;
-  for (const Json& one : json["lights"]) lights.push_back(light_of(one, fmt::format("{}: light {}", where, lights.size())));
+  for (const Json& one : json["lights"])
+    lights.push_back(light_of(one, fmt::format("{}: light {}", where, lights.size())));
   return lights;
 }
 

@@ -12,12 +12,12 @@
 namespace gbl {
 
 struct Vertex {
-  glm::vec3 position;         // object space
-  glm::vec3 normal;           // unit
-  glm::vec4 tangent;          // xyz unit along +u; w = +1 or -1: bitangent = w * cross(normal, tangent)
-  glm::vec2 uv;               // origin top left, as glTF
-  glm::vec2 uv1{0};           // a second set
-  glm::vec4 colour{1};        // linear; multiplies the base colour
+  glm::vec3 position;   // object space
+  glm::vec3 normal;     // unit
+  glm::vec4 tangent;    // xyz unit along +u; w = +1 or -1: bitangent = w * cross(normal, tangent)
+  glm::vec2 uv;         // origin top left, as glTF
+  glm::vec2 uv1{0};     // a second set
+  glm::vec4 colour{1};  // linear; multiplies the base colour
 };
 
 struct Mesh {
@@ -27,7 +27,14 @@ struct Mesh {
 };
 
 enum class Wrap { repeat, clamp, mirror };
-enum class Filter { nearest, linear, nearest_mipmap_nearest, linear_mipmap_nearest, nearest_mipmap_linear, linear_mipmap_linear };
+enum class Filter {
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  linear_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_linear
+};
 struct Sampler {
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   Filter min = Filter::linear_mipmap_linear, mag = Filter::linear;
@@ -55,11 +62,11 @@ enum class AlphaMode { opaque, mask, blend };
 // The metallic-roughness material of glTF 2.0; factors multiply texels.
 struct Material {
   std::string name;
-  glm::vec4 base_colour{1};       // linear; a: coverage, used as alpha_mode says
-  float roughness = 1;            // perceptual, 0..1
-  float metal = 0;                // 0..1
-  glm::vec3 emissive{0};          // linear, times any emissive strength
-  float normal_scale = 1;         // of the map's x and y
+  glm::vec4 base_colour{1};  // linear; a: coverage, used as alpha_mode says
+  float roughness = 1;       // perceptual, 0..1
+  float metal = 0;           // 0..1
+  glm::vec3 emissive{0};     // linear, times any emissive strength
+  float normal_scale = 1;    // of the map's x and y
   float occlusion_strength = 1;
   TextureUse base_colour_texture;  // sRGB
   TextureUse normal_texture;       // tangent space, n * 0.5 + 0.5, +Y up (green = bitangent)
@@ -67,9 +74,9 @@ struct Material {
   TextureUse emissive_texture;     // sRGB
   TextureUse occlusion_texture;    // red; linear
   AlphaMode alpha_mode = AlphaMode::opaque;
-  float alpha_cutoff = 0.5f;       // of mask
+  float alpha_cutoff = 0.5f;  // of mask
   bool double_sided = false;
-  bool unlit = false;              // shown as it is, lit by nothing
+  bool unlit = false;  // shown as it is, lit by nothing
 };
 
 struct Instance {
@@ -89,11 +96,11 @@ enum class LightKind { point, spot, directional };
 inline constexpr double kEndless = 1e30;  // range of a light without end
 
 struct Light {
-  glm::dvec3 position{0};  // world; of a directional light unused
-  glm::dvec3 colour{1};    // linear; times intensity
+  glm::dvec3 position{0};   // world; of a directional light unused
+  glm::dvec3 colour{1};     // linear; times intensity
   double range = kEndless;  // world units; no light at or beyond it
   LightKind kind = LightKind::point;
-  glm::dvec3 direction{0, -1, 0};  // unit, from the light; of spot and directional
+  glm::dvec3 direction{0, -1, 0};       // unit, from the light; of spot and directional
   double inner_cos = 1, outer_cos = 0;  // of a spot: full within the inner cone, none outside the outer
   glm::dvec3 coefficients{0};           // its own falloff 1/(x + y d + z d^2), before the settings'; all 0: none
 };

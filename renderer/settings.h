@@ -3,8 +3,8 @@
 // Members are the words of the paths in options.h, in snake_case; defaults stand at the member.
 #include <glm/glm.hpp>
 #include <set>
-#include <vector>
 #include <string>
+#include <vector>
 
 #include "renderer/axes.h"
 #include "renderer/camera.h"
@@ -26,12 +26,12 @@ struct Settings {
 
   struct Lights {
     LightSource source = LightSource::generated;
-    std::string rig;          // a lighting rig's file; empty = none
-    int count = 64;           // 0..kMaxLights
+    std::string rig;  // a lighting rig's file; empty = none
+    int count = 64;   // 0..kMaxLights
     unsigned seed = 1;
-    double range_scale = 1;   // multiplies every light's range
-    int only = -1;            // this light alone; -1 = all
-    int first = -1;           // the first k lights; -1 = all
+    double range_scale = 1;  // multiplies every light's range
+    int only = -1;           // this light alone; -1 = all
+    int first = -1;          // the first k lights; -1 = all
     LightSpot spot = LightSpot::cone;
     LightMethod method = LightMethod::volumes;
     LightCull cull = LightCull::flip_safe;
@@ -99,7 +99,7 @@ struct Settings {
   struct View {
     std::string main = "final";  // a view's id
     VolumeOverlay volumes = VolumeOverlay::off;
-    int pick = 0;                // the picked light's index
+    int pick = 0;  // the picked light's index
     bool operator==(const View&) const = default;
   } view;
 

@@ -31,8 +31,8 @@ void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Pr
 }  // namespace
 
 const char* id_of(ProblemId id) {
-  constexpr const char* kIds[] = {"not-finite",   "size-above-limit", "far-not-beyond-near",
-                                  "rig-not-read", "rig-not-named", "no-such-light",    "feature-missing"};
+  constexpr const char* kIds[] = {"not-finite",    "size-above-limit", "far-not-beyond-near", "rig-not-read",
+                                  "rig-not-named", "no-such-light",    "feature-missing"};
   return kIds[static_cast<int>(id)];
 }
 

@@ -8,7 +8,15 @@
 
 namespace gbl {
 
-enum class ProblemId { not_finite, size_above_limit, far_not_beyond_near, rig_not_read, rig_not_named, no_such_light, feature_missing };
+enum class ProblemId {
+  not_finite,
+  size_above_limit,
+  far_not_beyond_near,
+  rig_not_read,
+  rig_not_named,
+  no_such_light,
+  feature_missing
+};
 
 struct Problem {
   ProblemId id;

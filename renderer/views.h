@@ -1,11 +1,10 @@
 #pragma once
 // The views: every picture that can be looked at, one row each. Panels, number keys, files and `H` cards follow.
+#include <glm/glm.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "renderer/gbuffer_layout.h"
 #include "renderer/scene.h"
@@ -13,22 +12,33 @@
 
 namespace gbl {
 
-enum class View { final, albedo, normal, depth, material, diffuse_light, specular_light, lights_per_pixel, position, lit };
+enum class View {
+  final,
+  albedo,
+  normal,
+  depth,
+  material,
+  diffuse_light,
+  specular_light,
+  lights_per_pixel,
+  position,
+  lit
+};
 inline constexpr int kViewCount = 10;
 
 struct ViewRow {
   View view;
-  const char* id;    // singular; also the file's name
-  const char* key;   // number key, "" = none
+  const char* id;   // singular; also the file's name
+  const char* key;  // number key, "" = none
   const char* label;
   const char* sentence;  // one line for the strip below the panels
   Pass written_by;       // colours the frame
   // The `H` card:
-  const char* space;     // axes or colour space
+  const char* space;  // axes or colour space
   const char* unit;
   const char* range;
-  const char* read_by;   // which passes read it
-  const char* decode;    // formula from stored to shown
+  const char* read_by;     // which passes read it
+  const char* decode;      // formula from stored to shown
   const char* in_sources;  // what the five tutorials call it
   const char* mistake;     // the usual one
   const char* needs = "";  // pitfall-free name of what must be stored; "" = always there
@@ -62,8 +72,9 @@ struct Legend {
 };
 Legend legend(View, const Settings&, const Bounds&);
 
-inline constexpr glm::vec3 kSkyColour{0.09f, 0.13f, 0.30f};  // of depth, normal, …: no surface (dark blue, as users asked)
-inline constexpr int kLightCountColours = 6;                 // 0, 1, 2, 3, 4, 5+
+inline constexpr glm::vec3 kSkyColour{0.09f, 0.13f,
+                                      0.30f};  // of depth, normal, …: no surface (dark blue, as users asked)
+inline constexpr int kLightCountColours = 6;   // 0, 1, 2, 3, 4, 5+
 extern const glm::vec3 kLightCountPalette[kLightCountColours];
 
 }  // namespace gbl

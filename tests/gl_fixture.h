@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "app/headless.h"
-#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/gl/device.h"
-#include "renderer/scenes/mesh_builder.h"
 #include "renderer/passes/frame.h"
 #include "renderer/presets.h"
+#include "renderer/scenes/builtin_scenes.h"
+#include "renderer/scenes/mesh_builder.h"
 #include "tests/picture.h"
 
 namespace gbl::test {

@@ -1,8 +1,7 @@
 #include "renderer/rig.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "renderer/error.h"
 
@@ -23,7 +22,8 @@ TEST(Rig, all_kinds_of_light_are_read) {
   const auto lights = parse_rig(R"({"version": 1, "lights": [
       {"kind": "point", "position": [1, 2, 3], "colour": [1, 0.5, 0], "candela": 40, "range": 6},
       {"kind": "spot", "position": [0, 3, 0], "direction": [0, -2, 0], "candela": 100, "inner_deg": 20, "outer_deg": 60},
-      {"kind": "directional", "direction": [0, -1, 0], "lux": 2, "attenuation": [1, 0.7, 1.8]}]})", "rig.json");
+      {"kind": "directional", "direction": [0, -1, 0], "lux": 2, "attenuation": [1, 0.7, 1.8]}]})",
+                                "rig.json");
   ASSERT_EQ(lights.size(), 3u);
   EXPECT_EQ(lights[0].position, glm::dvec3(1, 2, 3));
   EXPECT_EQ(lights[0].colour, glm::dvec3(40, 20, 0));
@@ -39,11 +39,15 @@ TEST(Rig, all_kinds_of_light_are_read) {
 TEST(Rig, what_is_wrong_is_named_with_its_place) {
   EXPECT_NE(refusal(R"({"version": 2, "lights": []})").find("newer"), std::string::npos);
   EXPECT_NE(refusal(R"({"lights": []})").find("version: is missing"), std::string::npos);
-  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})").find("light 0: candela: is missing"), std::string::npos);
+  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"position": [0, 0, 0]}]})").find("light 0: candela: is missing"),
+            std::string::npos);
   EXPECT_NE(refusal(R"({"version": 1, "lights": [{"kind": "lamp"}]})").find("kind"), std::string::npos);
-  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"positon": [0, 0, 0]}]})").find("did you mean 'position'"), std::string::npos);
-  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"position": [0, 0], "candela": 1}]})").find("3 numbers"), std::string::npos);
-  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"position": [0, 0, 1e300], "candela": 1}]})").find("position"), std::string::npos);
+  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"positon": [0, 0, 0]}]})").find("did you mean 'position'"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"position": [0, 0], "candela": 1}]})").find("3 numbers"),
+            std::string::npos);
+  EXPECT_NE(refusal(R"({"version": 1, "lights": [{"position": [0, 0, 1e300], "candela": 1}]})").find("position"),
+            std::string::npos);
   EXPECT_NE(refusal("{").find("rig.json:1"), std::string::npos);
   EXPECT_THROW(rig_lights("no/such/rig.json"), Error);
 }

@@ -1,14 +1,13 @@
 #include "tests/window_desk.h"
 
-#include <fcntl.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 #include "renderer/settings_json.h"
 
@@ -65,8 +64,10 @@ WindowDesk::WindowDesk(std::vector<std::string> arguments) {
   if (!why_not_.empty()) return;
   start_program(arguments);
   wait_for([&] { return !(window_ = find_window()).empty(); }, 20s);
-  if (window_.empty()) why_not_ = "the window did not open";
-  else wait_until_drawn();
+  if (window_.empty())
+    why_not_ = "the window did not open";
+  else
+    wait_until_drawn();
 }
 
 WindowDesk::~WindowDesk() {
@@ -85,7 +86,8 @@ void WindowDesk::start_server() {
     ::close(fds[0]);
     const int null = ::open("/dev/null", O_WRONLY);
     dup2(null, 2);
-    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x900x24", "-nolisten", "tcp", "-noreset", nullptr);
+    execlp("Xvfb", "Xvfb", "-displayfd", fd.c_str(), "-screen", "0", "1600x900x24", "-nolisten", "tcp", "-noreset",
+           nullptr);
     _exit(127);
   }
   ::close(fds[1]);
@@ -130,13 +132,15 @@ void WindowDesk::wait_until_drawn() {
 }
 
 void WindowDesk::press(const std::string& key) {
-  (void)std::system(fmt::format("DISPLAY={} xdotool windowfocus {} key --clearmodifiers {} 2>/dev/null", display_, window_, key).c_str());
+  (void)std::system(
+      fmt::format("DISPLAY={} xdotool windowfocus {} key --clearmodifiers {} 2>/dev/null", display_, window_, key)
+          .c_str());
   std::this_thread::sleep_for(60ms);
 }
 
 void WindowDesk::hold(const std::string& key, int milliseconds) {
-  (void)std::system(fmt::format("DISPLAY={} xdotool windowfocus {} keydown {} sleep {} keyup {}", display_, window_, key,
-                                milliseconds / 1000.0, key)
+  (void)std::system(fmt::format("DISPLAY={} xdotool windowfocus {} keydown {} sleep {} keyup {}", display_, window_,
+                                key, milliseconds / 1000.0, key)
                         .c_str());
 }
 

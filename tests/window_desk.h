@@ -1,9 +1,8 @@
 #pragma once
 // A real window for a test: an X server of its own, the program in it, keys sent as a user would, and what it did read
 // back from the pictures that F12 saves (they carry the settings).
-#include <gtest/gtest.h>
-
 #include <filesystem>
+#include <gtest/gtest.h>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,9 +26,9 @@ class WindowDesk {
   bool open() const { return !window_.empty(); }
   std::string why_not() const { return why_not_; }
   std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
-  void press(const std::string& xdotool_key);  // "c", "shift+c", "Page_Down"
+  void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
-  Figure figure();                             // presses F12 and reads the file it saved
+  Figure figure();                                          // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
 
  private:

@@ -11,16 +11,18 @@
 namespace gbl {
 namespace {
 
-#define SKIP_WITHOUT_WINDOW(desk)                                                    \
+#define SKIP_WITHOUT_WINDOW(desk)                                                         \
   if (!(desk).missing().empty()) GTEST_SKIP() << (desk).missing() << " is not installed"; \
   ASSERT_TRUE((desk).open()) << (desk).why_not()
 
 std::string xdotool_name(const ui::KeyEvent& e) {
   static const std::map<std::string, std::string> kNames = {
-      {"[", "bracketleft"}, {"]", "bracketright"}, {",", "comma"},  {".", "period"}, {"+", "plus"},     {"-", "minus"},
-      {"PgUp", "Prior"},    {"PgDn", "Next"},      {"Enter", "Return"}, {"Space", "space"}, {"Esc", "Escape"}};
+      {"[", "bracketleft"}, {"]", "bracketright"}, {",", "comma"},    {".", "period"},
+      {"+", "plus"},        {"-", "minus"},        {"PgUp", "Prior"}, {"PgDn", "Next"},
+      {"Enter", "Return"},  {"Space", "space"},    {"Esc", "Escape"}};
   const auto named = kNames.find(e.key);
-  return std::string(e.ctrl ? "ctrl+" : "") + (e.shift ? "shift+" : "") + (named == kNames.end() ? e.key : named->second);
+  return std::string(e.ctrl ? "ctrl+" : "") + (e.shift ? "shift+" : "") +
+         (named == kNames.end() ? e.key : named->second);
 }
 
 // What must be on screen before a key can do anything.

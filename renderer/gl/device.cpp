@@ -1,6 +1,7 @@
 #include "renderer/gl/device.h"
 
 #include <epoxy/gl.h>
+
 #include <algorithm>
 #include <fmt/format.h>
 

@@ -11,9 +11,9 @@ const char* label(Rounding);
 
 struct Device {
   std::string vendor, renderer, version, glsl;
-  FeatureSet features;       // present and not switched off
-  bool software = false;     // a CPU rasteriser: its times say nothing about a GPU
-  int max_size = 0;          // of a texture and viewport, pixels a side
+  FeatureSet features;    // present and not switched off
+  bool software = false;  // a CPU rasteriser: its times say nothing about a GPU
+  int max_size = 0;       // of a texture and viewport, pixels a side
   int max_draw_buffers = 0;
   int time_query_bits = 0;
 };

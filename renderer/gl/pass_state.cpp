@@ -23,8 +23,10 @@ void apply(const PassState& s) {
   apply_cull(s.cull);
   enable(GL_BLEND, s.blend != Blend::off);
   glBlendEquation(GL_FUNC_ADD);
-  if (s.blend == Blend::alpha) glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  else glBlendFunc(GL_ONE, GL_ONE);
+  if (s.blend == Blend::alpha)
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  else
+    glBlendFunc(GL_ONE, GL_ONE);
   glColorMask(true, true, true, true);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);

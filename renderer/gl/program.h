@@ -18,8 +18,8 @@ struct Define {
 using Defines = std::vector<Define>;
 
 struct ShaderText {
-  std::string name;  // for messages
-  std::string body;  // expanded GLSL without #version
+  std::string name;                     // for messages
+  std::string body;                     // expanded GLSL without #version
   std::vector<std::string> files = {};  // index = GLSL source-string number used in #line; empty: `name` alone
 };
 

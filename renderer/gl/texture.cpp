@@ -66,8 +66,8 @@ Texture make_image(const ImageDesc& d) {
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, t.id());
   state_pixel_storage();
-  glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, d.rgba);
+  glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+               d.rgba);
   set_sampling(kFiltering[static_cast<int>(d.min)], kFiltering[static_cast<int>(d.mag)],
                kAddress[static_cast<int>(d.address_u)], kAddress[static_cast<int>(d.address_v)]);
   if (d.min != Filtering::nearest && d.min != Filtering::linear) glGenerateMipmap(GL_TEXTURE_2D);

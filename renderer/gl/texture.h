@@ -25,7 +25,14 @@ struct TextureDesc {
 Texture make_texture(const TextureDesc&);  // contents undefined
 
 enum class Address { repeat, clamp, mirror };
-enum class Filtering { nearest, linear, nearest_mipmap_nearest, linear_mipmap_nearest, nearest_mipmap_linear, linear_mipmap_linear };
+enum class Filtering {
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  linear_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_linear
+};
 
 struct ImageDesc {
   glm::ivec2 size{1, 1};

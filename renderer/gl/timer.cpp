@@ -79,8 +79,10 @@ std::optional<std::vector<PassTime>> PassTimers::answer_of(Frame& frame, bool wa
       glGetQueryObjectui64v(slot.query.id(), GL_QUERY_RESULT, &ns);
       ms = static_cast<double>(ns) * 1e-6;
     }
-    if (!times.empty() && times.back().pass == slot.pass) *times.back().ms += ms;  // several views in a row
-    else times.push_back({slot.pass, ms});
+    if (!times.empty() && times.back().pass == slot.pass)
+      *times.back().ms += ms;  // several views in a row
+    else
+      times.push_back({slot.pass, ms});
   }
   return times;
 }

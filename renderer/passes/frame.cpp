@@ -39,8 +39,7 @@ FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& 
   targets.prepare(s);
   targets.lights = lights_of(s, scene.scene());
   targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = false;
-  targets.light_kinds = std::any_of(targets.lights.begin(), targets.lights.end(),
-                                    [](const Light& l) {
+  targets.light_kinds = std::any_of(targets.lights.begin(), targets.lights.end(), [](const Light& l) {
     return l.kind != LightKind::point || l.coefficients != glm::dvec3(0);
   });
   targets.count_read.drop();  // an answer still under way is the last frame's, not this one's

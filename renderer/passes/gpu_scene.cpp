@@ -74,7 +74,9 @@ const gl::Texture& GpuScene::colour_texture(int i, Colour colour) const {
   return colour == Colour::srgb ? uploaded(srgb_, i, true) : uploaded(linear_, i, false);
 }
 
-const gl::Texture& GpuScene::data_texture(int i) const { return i == kNoTexture ? white_ : uploaded(linear_, i, false); }
+const gl::Texture& GpuScene::data_texture(int i) const {
+  return i == kNoTexture ? white_ : uploaded(linear_, i, false);
+}
 
 const gl::Texture& GpuScene::normal_texture(int i) const {
   return i == kNoTexture ? flat_normal_ : uploaded(linear_, i, false);

@@ -32,8 +32,8 @@ class GpuScene {
 
   // kNoTexture gives a neutral texel. A colour texture is decoded from sRGB when sampled, except as-tutorial.
   const gl::Texture& colour_texture(int i, Colour) const;
-  const gl::Texture& data_texture(int i) const;         // white if none
-  const gl::Texture& normal_texture(int i) const;       // flat if none
+  const gl::Texture& data_texture(int i) const;    // white if none
+  const gl::Texture& normal_texture(int i) const;  // flat if none
 
  private:
   const gl::Texture& uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const;

@@ -118,7 +118,8 @@ std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
   return draws;
 }
 
-int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment, const gl::Defines& defines) {
+int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment,
+                 const gl::Defines& defines) {
   if (draws.empty()) return 0;
   gl::bind_texture(kInstanceUnit, frame.targets.instance_data);
   for (const ObjectDraw& draw : draws) {

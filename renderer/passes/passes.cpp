@@ -53,9 +53,9 @@ void upload_frame_block(const Frame& frame) {
   block.clip_from_relative = glm::mat4(frame.clip_from_relative);
   // Float from here on, as the source's shader computes it: its noise is the pitfall.
   const glm::mat4 view_from_world(glm::mat4_cast(glm::conjugate(c.orientation)) * glm::dmat4(1));
-  const glm::mat4 clip_from_world =
-      glm::mat4(clip_from_view(c, frame.aspect)) * view_from_world *
-      glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(-glm::vec3(c.position), 1));
+  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect)) * view_from_world *
+                                    glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
+                                              glm::vec4(-glm::vec3(c.position), 1));
   block.world_from_clip = glm::inverse(clip_from_world);
   block.ray_forward = glm::vec4(rays.forward, c.orthographic() ? 1 : 0);
   block.ray_right = glm::vec4(rays.right, 0);

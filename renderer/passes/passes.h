@@ -21,8 +21,8 @@ void upload_lights(const Frame&);
 // Rows of float records as a texture; remade only when it must grow or shrink.
 void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const char* label);
 
-int draw_geometry(const Frame&);                                          // -> draw calls
-int draw_forward(const Frame&);                                           // -> draw calls
+int draw_geometry(const Frame&);                                            // -> draw calls
+int draw_forward(const Frame&);                                             // -> draw calls
 int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);  // -> draw calls
 int draw_combine(const Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);

@@ -12,13 +12,24 @@ struct SamplerUnit {
   Unit unit;
 };
 constexpr SamplerUnit kSamplers[] = {
-    {"gbuffer_material", kMaterialUnit}, {"gbuffer_normal", kNormalUnit},   {"gbuffer_depth", kDepthUnit},
-    {"light_data", kLightUnit},          {"light_diffuse", kDiffuseUnit},   {"light_specular", kSpecularUnit},
-    {"light_sum", kDiffuseUnit},         {"lit", kLitUnit},                 {"counts", kCountUnit},
-    {"counts_lit", kLitUnit},            {"base_colour_map", kBaseColourUnit}, {"normal_map", kNormalMapUnit},
+    {"gbuffer_material", kMaterialUnit},
+    {"gbuffer_normal", kNormalUnit},
+    {"gbuffer_depth", kDepthUnit},
+    {"light_data", kLightUnit},
+    {"light_diffuse", kDiffuseUnit},
+    {"light_specular", kSpecularUnit},
+    {"light_sum", kDiffuseUnit},
+    {"lit", kLitUnit},
+    {"counts", kCountUnit},
+    {"counts_lit", kLitUnit},
+    {"base_colour_map", kBaseColourUnit},
+    {"normal_map", kNormalMapUnit},
     {"roughness_map", kRoughnessUnit},
-    {"emissive_map", kEmissiveUnit},     {"occlusion_map", kOcclusionUnit}, {"instance_data", kInstanceUnit},
-    {"gbuffer_reflectance", kReflectanceUnit}, {"gbuffer_emission", kEmissionUnit},
+    {"emissive_map", kEmissiveUnit},
+    {"occlusion_map", kOcclusionUnit},
+    {"instance_data", kInstanceUnit},
+    {"gbuffer_reflectance", kReflectanceUnit},
+    {"gbuffer_emission", kEmissionUnit},
 };
 
 std::string constant_name(const char* prefix, const char* id) {

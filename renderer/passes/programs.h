@@ -15,8 +15,22 @@ enum class LightOutput { split, sum, count };
 
 // Texture units: sampler name -> unit, one table for all programs.
 enum Unit {
-  kMaterialUnit, kNormalUnit, kDepthUnit, kReflectanceUnit, kEmissionUnit, kLightUnit, kDiffuseUnit, kSpecularUnit,
-  kLitUnit, kCountUnit, kInstanceUnit, kBaseColourUnit, kNormalMapUnit, kRoughnessUnit, kEmissiveUnit, kOcclusionUnit
+  kMaterialUnit,
+  kNormalUnit,
+  kDepthUnit,
+  kReflectanceUnit,
+  kEmissionUnit,
+  kLightUnit,
+  kDiffuseUnit,
+  kSpecularUnit,
+  kLitUnit,
+  kCountUnit,
+  kInstanceUnit,
+  kBaseColourUnit,
+  kNormalMapUnit,
+  kRoughnessUnit,
+  kEmissiveUnit,
+  kOcclusionUnit
 };
 
 // Defines that name the choices a shader depends on; each shader asks only for those it reads.

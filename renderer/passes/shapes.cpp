@@ -11,7 +11,8 @@ Sphere make_sphere(int level) {
     return gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, list.data(), list.size() * sizeof(uint32_t), label);
   };
   Sphere s;
-  s.vertices = gl::make_buffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(glm::vec3), "volume");
+  s.vertices =
+      gl::make_buffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(glm::vec3), "volume");
   s.triangles = indices(mesh.triangles, "volume.triangles");
   s.edges = indices(mesh.edges, "volume.edges");
   s.solid = gl::make_vertex_array(s.vertices, sizeof(glm::vec3), {{0, 3, 0}}, &s.triangles);

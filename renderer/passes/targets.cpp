@@ -39,8 +39,10 @@ void Targets::prepare(const Settings& s) {
     gl::FramebufferDesc desc{.label = pass == Pass::geometry ? "gbuffer" : pass == Pass::lighting ? "light" : "lit"};
     for (size_t i = 0; i < wanted.size(); ++i) {
       if (wanted[i].written_by != pass) continue;
-      if (row(wanted[i].format).numeric == Numeric::depth) desc.depth = &textures[i];
-      else desc.colours.push_back(&textures[i]);
+      if (row(wanted[i].format).numeric == Numeric::depth)
+        desc.depth = &textures[i];
+      else
+        desc.colours.push_back(&textures[i]);
     }
     framebuffers[static_cast<int>(pass)] = gl::make_framebuffer(desc);
   }
@@ -88,17 +90,22 @@ Canvas& Targets::composed() {
   if (!composed_) {
     composed_.emplace();
     composed_->texture = gl::make_texture({.size = size_, .format = Format::rgba32f, .label = "composed"});
-    composed_->framebuffer = gl::make_framebuffer(
-        {.colours = {&composed_->texture}, .depth = texture(Stores::depth), .label = "composed"});
+    composed_->framebuffer =
+        gl::make_framebuffer({.colours = {&composed_->texture}, .depth = texture(Stores::depth), .label = "composed"});
   }
   return *composed_;
 }
 
 Canvas& Targets::counts() { return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}); }
-Canvas& Targets::counts_lit() { return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"}); }
-Canvas& Targets::count_sums() {
-  return made(count_sums_, {.size = (size_ + COUNT_BLOCK - 1) / COUNT_BLOCK, .format = Format::rgba32f, .label = "counts.sums"});
+Canvas& Targets::counts_lit() {
+  return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"});
 }
-Canvas& Targets::probe() { return made(probe_, {.size = {PROBE_FIELDS, 1}, .format = Format::rgba32f, .label = "probe"}); }
+Canvas& Targets::count_sums() {
+  return made(count_sums_,
+              {.size = (size_ + COUNT_BLOCK - 1) / COUNT_BLOCK, .format = Format::rgba32f, .label = "counts.sums"});
+}
+Canvas& Targets::probe() {
+  return made(probe_, {.size = {PROBE_FIELDS, 1}, .format = Format::rgba32f, .label = "probe"});
+}
 
 }  // namespace gbl

@@ -33,13 +33,13 @@ class Targets {
   const std::vector<Attachment>& attachments() const { return attachments_; }
   double mib() const;  // of all textures held
 
-  Canvas& view(View);                     // RGBA8, made at first use
-  const Canvas* drawn_view(View) const;   // null if never drawn at this size
-  Canvas& composed();                     // RGBA32F with the scene's depth: lit + transparent surfaces
+  Canvas& view(View);                    // RGBA8, made at first use
+  const Canvas* drawn_view(View) const;  // null if never drawn at this size
+  Canvas& composed();                    // RGBA32F with the scene's depth: lit + transparent surfaces
   const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
-  Canvas& counts();                       // RGBA32F: pairs tested, shaded, in range
+  Canvas& counts();  // RGBA32F: pairs tested, shaded, in range
   Canvas& counts_lit();
-  Canvas& count_sums();                   // the reduction
+  Canvas& count_sums();  // the reduction
   Canvas& probe();
 
   // Frame-to-frame state that is not a picture.
@@ -47,18 +47,18 @@ class Targets {
   gl::AsyncRead count_read, probe_read;
   gl::Texture light_data;
   gl::Texture instance_data;
-  std::vector<glm::vec4> record_texels;   // scratch, kept so that a steady frame allocates nothing
-  bool light_kinds = false;               // is any light other than a point light?
-  bool composed_valid = false;            // were transparent surfaces drawn over `lit` into composed()?
-  std::vector<Light> lights;              // of the frame drawn last
+  std::vector<glm::vec4> record_texels;  // scratch, kept so that a steady frame allocates nothing
+  bool light_kinds = false;              // is any light other than a point light?
+  bool composed_valid = false;           // were transparent surfaces drawn over `lit` into composed()?
+  std::vector<Light> lights;             // of the frame drawn last
   gl::Buffer frame_block;
-  bool counts_valid = false;              // of the frame drawn last
+  bool counts_valid = false;  // of the frame drawn last
   bool counts_lit_valid = false;
 
  private:
   glm::ivec2 size_{0};
   std::vector<Attachment> attachments_;
-  std::vector<gl::Texture> textures_;     // beside attachments_
+  std::vector<gl::Texture> textures_;            // beside attachments_
   std::array<gl::Framebuffer, 3> framebuffers_;  // geometry, lighting, combine
   std::array<std::optional<Canvas>, kViewCount> views_;
   std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_;

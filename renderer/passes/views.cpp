@@ -27,8 +27,7 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
   const VolumeOverlay overlay = frame.settings.view.volumes;
   const int lights = static_cast<int>(frame.targets.lights.size());
   if (overlay == VolumeOverlay::off || lights == 0) return;
-  const gl::Program& program =
-      frame.programs.get("volume_wire.vert", "volume_wire.frag", frame.defines());
+  const gl::Program& program = frame.programs.get("volume_wire.vert", "volume_wire.frag", frame.defines());
   begin_drawing(into.framebuffer, frame.settings.size, {.blend = gl::Blend::alpha});
   bind_gbuffer(frame);
   bind_lights(frame);
@@ -38,7 +37,8 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
   glBindVertexArray(sphere.wire.id());
   const int picked = std::min(frame.settings.view.pick, lights - 1);
   for (int i = 0; i < lights; ++i)
-    if ((overlay == VolumeOverlay::all || i == picked) && bounded(frame.targets.lights[i])) draw_wire(program, sphere, i);
+    if ((overlay == VolumeOverlay::all || i == picked) && bounded(frame.targets.lights[i]))
+      draw_wire(program, sphere, i);
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {

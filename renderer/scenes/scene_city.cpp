@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/random.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/scenes/scene_parts.h"
 
 namespace gbl {

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/random.h"
+#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/scenes/scene_house.h"
 #include "renderer/scenes/scene_parts.h"
 #include "renderer/scenes/scene_plants.h"

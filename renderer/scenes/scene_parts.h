@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scenes/mesh_builder.h"
 #include "renderer/scene.h"
+#include "renderer/scenes/mesh_builder.h"
 #include "renderer/scenes/surface_textures.h"
 
 namespace gbl {

@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
+#include "renderer/random.h"
 #include "renderer/scenes/mesh_builder.h"
 #include "renderer/scenes/procedural_texture.h"
-#include "renderer/random.h"
 #include "renderer/scenes/scene_parts.h"
 
 namespace gbl {

@@ -4,9 +4,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "renderer/random.h"
 #include "renderer/scenes/mesh_builder.h"
 #include "renderer/scenes/procedural_texture.h"
-#include "renderer/random.h"
 
 namespace gbl {
 namespace {
