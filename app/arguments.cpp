@@ -8,7 +8,8 @@
 namespace gbl {
 namespace {
 
-void add_shared(CLI::App& app, Arguments& a) {
+// What is drawn: for the commands that draw.
+void add_settings(CLI::App& app, Arguments& a) {
   app.add_option("--scene", a.scene, "builtin:NAME or a model's file; brings its own camera and lights");
   app.add_option("--preset", a.preset, "whole settings by name (list presets)");
   app.add_option("--state", a.state, "settings from a JSON file or from a PNG that this program wrote");
@@ -19,11 +20,16 @@ void add_shared(CLI::App& app, Arguments& a) {
   app.add_option("--camera", a.camera, "x,y,z:yaw,pitch[:fov] in world units and degrees");
   app.add_option("--rig", a.rig, "lights from a rig's JSON file");
   app.add_option("--time", a.time, "seconds: lights move as functions of it");
+}
+
+void add_without(CLI::App& app, Arguments& a) {
   app.add_option("--without", a.without, "features to switch off, comma-separated (info lists them)");
-  app.add_flag("--json", a.json, "machine-readable output");
 }
 
 void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
+  add_without(app, a);
+  if (command == "render" || command == "view") add_settings(app, a);
+  if (command != "view") app.add_flag("--json", a.json, "machine-readable output");
   if (command == "render") {
     app.add_option("-o,--output", a.output, "folder for the pictures, made if need be (default: out)");
     app.add_option("--only", a.only, "views, comma-separated (list views); default: all that are stored");
@@ -45,10 +51,10 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
 // Help of every command in one place: rows of commands().
 void describe(CLI::App& app, Arguments& a) {
   app.set_help_all_flag("--help-all", "help of all commands");
-  add_shared(app, a);
+  add_settings(app, a);  // without a command it draws, too
+  add_without(app, a);
   for (const Command& c : commands()) {
     CLI::App* sub = app.add_subcommand(c.name, c.help);
-    add_shared(*sub, a);
     add_own_options(*sub, c.name, a);
     sub->callback([&a, name = c.name] { a.command = name; });
   }

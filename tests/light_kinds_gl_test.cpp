@@ -10,6 +10,17 @@ namespace {
 
 class LightKinds : public test::GlTest {};
 
+// The scene with its own seven lights, drawn soundly.
+Settings spheres(Lab& lab) {
+  Settings s = preset("start").make();
+  s.size = {160, 90};
+  lab.open("builtin:spheres");
+  apply_scene(s, "builtin:spheres", lab.scene());
+  s.lights.cull = LightCull::front;
+  s.lights.volume.clip = VolumeClip::none;
+  return s;
+}
+
 std::vector<float> lit_of(Lab& lab, const Settings& s) {
   lab.draw(s);
   return gl::read_rgba32f(*lab.targets().texture(Stores::lit));
@@ -17,13 +28,8 @@ std::vector<float> lit_of(Lab& lab, const Settings& s) {
 
 TEST_F(LightKinds, EveryMethodEqualsThePlainLoop) {
   Lab lab({});
-  Settings s = preset("start").make();
-  s.size = {160, 90};
-  lab.open("builtin:spheres");
-  apply_scene(s, "builtin:spheres", lab.scene());
+  Settings s = spheres(lab);
   s.accumulation.format = AccumulationFormat::rgba32f;
-  s.lights.cull = LightCull::front;
-  s.lights.volume.clip = VolumeClip::none;
   s.lights.method = LightMethod::fullscreen;
   const std::vector<float> expected = lit_of(lab, s);
   std::set<LightKind> kinds;
@@ -40,12 +46,7 @@ TEST_F(LightKinds, EveryMethodEqualsThePlainLoop) {
 
 TEST_F(LightKinds, ADirectionalLightLightsAndASpotEndsAtItsCone) {
   Lab lab({});
-  Settings s = preset("start").make();
-  s.size = {160, 90};
-  lab.open("builtin:spheres");
-  apply_scene(s, "builtin:spheres", lab.scene());
-  s.lights.cull = LightCull::front;
-  s.lights.volume.clip = VolumeClip::none;
+  Settings s = spheres(lab);
   const std::vector<Light> lights = lab.scene().lights;
   for (size_t i = 0; i < lights.size(); ++i) {
     s.lights.only = static_cast<int>(i);
