@@ -4,7 +4,23 @@
 
 namespace gbl {
 
-enum class Format { rgba8, rg8, rg16ui, rg16f, rgba16f, r11g11b10f, rgba32f, r32f, d16, d24, d32f };
+enum class Format {
+  rgba8,
+  rg8,
+  rg16ui,
+  r32ui,
+  rg32ui,
+  rg16f,
+  rgba16f,
+  r11g11b10f,
+  rgba32f,
+  r32f,
+  d16,
+  d24,
+  d32f,
+  d24s8,
+  d32fs8
+};
 enum class Numeric { unorm, uint, floating, depth };
 
 struct FormatRow {
@@ -13,12 +29,15 @@ struct FormatRow {
   int bytes;  // per pixel as stored, padding included
   int channels;
   Numeric numeric;
+  bool stencil = false;  // 8 bits beside the depth
 };
 
 inline constexpr FormatRow kFormats[] = {
     {Format::rgba8, "RGBA8", 4, 4, Numeric::unorm},
     {Format::rg8, "RG8", 2, 2, Numeric::unorm},
     {Format::rg16ui, "RG16UI", 4, 2, Numeric::uint},
+    {Format::r32ui, "R32UI", 4, 1, Numeric::uint},
+    {Format::rg32ui, "RG32UI", 8, 2, Numeric::uint},
     {Format::rg16f, "RG16F", 4, 2, Numeric::floating},
     {Format::rgba16f, "RGBA16F", 8, 4, Numeric::floating},
     {Format::r11g11b10f, "R11G11B10F", 4, 3, Numeric::floating},
@@ -27,6 +46,8 @@ inline constexpr FormatRow kFormats[] = {
     {Format::d16, "D16", 2, 1, Numeric::depth},
     {Format::d24, "D24", 4, 1, Numeric::depth},
     {Format::d32f, "D32F", 4, 1, Numeric::depth},
+    {Format::d24s8, "D24S8", 4, 1, Numeric::depth, true},
+    {Format::d32fs8, "D32FS8", 8, 1, Numeric::depth, true},
 };
 constexpr const FormatRow& row(Format f) { return kFormats[static_cast<size_t>(f)]; }
 

@@ -9,7 +9,8 @@
 
 // Light records in the light texture, RGBA32F texels:
 //   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, falloff coefficients
-#define LIGHT_TEXELS 4
+//   4: the range that the falloff's profile is a function of   5: screen bounds, NDC: x from, y from, x to, y to
+#define LIGHT_TEXELS 6
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2

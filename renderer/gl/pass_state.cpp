@@ -2,9 +2,13 @@
 
 #include <epoxy/gl.h>
 
+#include "renderer/gl/device.h"
+
 namespace gbl::gl {
 namespace {
 void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+
+constexpr GLenum kDepthFunctions[] = {GL_ALWAYS, GL_LESS, GL_LEQUAL, GL_EQUAL, GL_GREATER, GL_GEQUAL};
 }  // namespace
 
 void apply_cull(Cull cull) {
@@ -17,7 +21,7 @@ void apply_winding(Winding w) { glFrontFace(w == Winding::clockwise ? GL_CW : GL
 void apply(const PassState& s) {
   // GL ignores depth writes while the test is off.
   enable(GL_DEPTH_TEST, s.depth != DepthTest::off || s.depth_write);
-  glDepthFunc(s.depth == DepthTest::less ? GL_LESS : GL_ALWAYS);
+  glDepthFunc(kDepthFunctions[static_cast<int>(s.depth)]);
   glDepthMask(s.depth_write);
   apply_winding(Winding::counter_clockwise);
   apply_cull(s.cull);
@@ -31,7 +35,9 @@ void apply(const PassState& s) {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_COLOR_LOGIC_OP);
-  glDisable(GL_DEPTH_CLAMP);
+  if (device().features.has(Feature::depth_clamp)) enable(GL_DEPTH_CLAMP, s.depth_clamp);
+  if (device().features.has(Feature::clip_control))
+    glClipControl(GL_LOWER_LEFT, s.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
   glDepthRange(0, 1);
   glDisable(GL_DITHER);
   glDisable(GL_POLYGON_OFFSET_FILL);

@@ -2,7 +2,7 @@
 // All fixed-function state of a pass as one value: nothing leaks in from the pass before.
 namespace gbl::gl {
 
-enum class DepthTest { off, less };
+enum class DepthTest { off, less, less_equal, equal, greater, greater_equal };
 enum class Cull { off, back, front };
 enum class Blend { off, add, alpha };
 enum class Winding { counter_clockwise, clockwise };
@@ -12,6 +12,8 @@ struct PassState {
   bool depth_write = false;
   Cull cull = Cull::off;
   Blend blend = Blend::off;
+  bool depth_clamp = false;  // needs Feature::depth_clamp
+  bool zero_to_one = false;  // clip space's depth, for reversed depth: needs Feature::clip_control
 };
 
 void apply(const PassState&);

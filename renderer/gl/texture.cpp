@@ -13,6 +13,8 @@ constexpr GlFormat kGlFormats[] = {
     {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
     {GL_RG8, GL_RG, GL_UNSIGNED_BYTE},
     {GL_RG16UI, GL_RG_INTEGER, GL_UNSIGNED_SHORT},
+    {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT},
+    {GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT},
     {GL_RG16F, GL_RG, GL_FLOAT},
     {GL_RGBA16F, GL_RGBA, GL_FLOAT},
     {GL_R11F_G11F_B10F, GL_RGB, GL_FLOAT},
@@ -21,6 +23,8 @@ constexpr GlFormat kGlFormats[] = {
     {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
     {GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT},
     {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
+    {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8},
+    {GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV},
 };
 static_assert(std::size(kGlFormats) == std::size(kFormats));
 
@@ -84,7 +88,10 @@ Framebuffer make_framebuffer(const FramebufferDesc& d) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, slot, GL_TEXTURE_2D, colour->id(), 0);
     buffers.push_back(slot);
   }
-  if (d.depth) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, d.depth->id(), 0);
+  if (d.depth) {
+    const GLenum slot = row(d.depth->format).stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT;
+    glFramebufferTexture2D(GL_FRAMEBUFFER, slot, GL_TEXTURE_2D, d.depth->id(), 0);
+  }
   glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   set_label(GL_FRAMEBUFFER, fbo.id(), d.label);

@@ -80,6 +80,8 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
     t.record_texels.emplace_back(l.direction, l.inner_cos);
     t.record_texels.emplace_back(l.outer_cos, l.coefficients);
+    t.record_texels.emplace_back(l.range, 0, 0, 0);
+    t.record_texels.emplace_back(-1, -1, 1, 1);
   }
   upload_records(t.light_data, t.record_texels, kLightUnit, "lights");
 }
