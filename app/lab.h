@@ -17,7 +17,7 @@ class Lab {
  public:
   explicit Lab(FeatureSet without);  // needs a current context
 
-  DeviceLimits limits() const { return {device_.features, device_.max_size}; }
+  DeviceLimits limits() const { return {device_.features, device_.max_size, device_.max_draw_buffers}; }
   const gl::Device& device() const { return device_; }
   const Scene& scene() const { return gpu_scene_->scene(); }
   std::vector<std::string> warnings() const { return gpu_scene_ ? scene().warnings : std::vector<std::string>(); }

@@ -28,6 +28,7 @@ constexpr ValueRow kLightSource[] = {
 };
 constexpr ValueRow kLightSpot[] = {
   {.value = at(LightSpot::cone), .id = "cone", .label = "cone", .help = "spot lights end smoothly between an inner and an outer angle"},
+  {.value = at(LightSpot::cos_power), .id = "cos-power", .label = "power of the cosine", .help = "no edge: cos^n of the angle off the axis, n such that a twentieth is left at the outer angle", .source = "tutorial 08-2, ProcessSpotLights"},
 };
 constexpr ValueRow kAttenuation[] = {
   {.value = at(Attenuation::none), .id = "none", .label = "none", .help = "full strength up to the range, then nothing"},
@@ -39,6 +40,9 @@ constexpr ValueRow kAttenuation[] = {
 };
 constexpr ValueRow kRangeKind[] = {
   {.value = at(RangeKind::source), .id = "source", .label = "as the source says", .help = "the light's own range; nothing is lit at or beyond it"},
+  {.value = at(RangeKind::threshold), .id = "threshold", .label = "where it gets faint", .help = "a light ends where its falloff leaves range.threshold of its brightest channel's 1: a visible edge", .source = "de Vries 2014, LearnOpenGL, Deferred Shading: 5/256"},
+  {.value = at(RangeKind::windowed), .id = "windowed", .label = "windowed", .help = "as the source says, and the falloff times (1 - (d/r)^4)^2: smoothly 0 at the range", .source = "Karis 2013, Real Shading in Unreal Engine 4"},
+  {.value = at(RangeKind::none), .id = "none", .label = "endless", .help = "lights never end: every pixel is in every light, and culling saves nothing", .cost = "all pairs", .source = "tutorial 08-2, ProcessPointLights"},
 };
 constexpr ValueRow kShadingModel[] = {
   {.value = at(ShadingModel::lambert), .id = "lambert", .label = "Lambert", .help = "diffuse only", .source = "Lambert 1760, Photometria"},
@@ -67,7 +71,15 @@ constexpr ValueRow kColour[] = {
 constexpr ValueRow kLayout[] = {
   {.value = at(Layout::albedo_roughness), .id = "albedo-roughness", .label = "albedo + roughness", .help = "one RGBA8: sRGB-coded albedo, roughness", .cost = "4 B/px"},
   {.value = at(Layout::nclgl), .id = "nclgl", .label = "nclgl colour", .help = "one RGBA8: colour as the texture has it, alpha unused", .cost = "4 B/px", .source = "nclgl tutorial 15, bufferFragment.glsl line 22"},
+  {.value = at(Layout::stereo), .id = "stereo", .label = "stereo", .help = "the sum already holding ambient and emission, diffuse RGB8, specular colour + roughness", .cost = "8 B/px and the sum", .source = "tutorial 9, steps 3 and 20"},
+  {.value = at(Layout::learnopengl), .id = "learnopengl", .label = "learnopengl", .help = "one RGBA8: albedo, specular strength; no roughness", .cost = "4 B/px", .source = "de Vries 2014, LearnOpenGL, Deferred Shading: gAlbedoSpec"},
+  {.value = at(Layout::objectid), .id = "objectid", .label = "objectid", .help = "ambient Ka, diffuse Kd, specular Ks in RGBA8, exponent Ns R32F, object id R32UI", .cost = "20 B/px", .source = "tutorial 08-2, GBufferAmbient to GBufferObjectID"},
+  {.value = at(Layout::viewspace), .id = "viewspace", .label = "viewspace", .help = "ambient, diffuse, specular + shininess/256, RGBA8 each; exponents in whole steps up to 256", .cost = "12 B/px", .source = "engine blog, part 28 as reprinted with parts 30 and 31: outputs.fs"},
+  {.value = at(Layout::compact), .id = "compact", .label = "compact", .help = "RG32UI: normal 28 bits (with oct14), sRGB-coded albedo 24, roughness 12; no metal, emission or occlusion", .cost = "8 B/px, normal included", .source = "the lab's own"},
+  {.value = at(Layout::compact_metal), .id = "compact-metal", .label = "compact + metal", .help = "compact, and a R32UI: metal 6 bits, occlusion 6, emission 20", .cost = "12 B/px, normal included", .source = "the lab's own"},
+  {.value = at(Layout::exact), .id = "exact", .label = "exact", .help = "RG32UI: base colour 3 x 12 bits sRGB-coded, roughness 12, metal 8, occlusion 8; emission R32UI with a shared exponent", .cost = "12 B/px", .source = "the lab's own"},
   {.value = at(Layout::float32), .id = "float32", .label = "float, nothing lost", .help = "albedo, roughness, F0, metal, emission and ambient occlusion in floats: the zero-error end", .cost = "48 B/px"},
+  {.value = at(Layout::auto_), .id = "auto", .label = "by the scene", .help = "the smallest layout that holds what the scene's materials have, and says what it leaves out", .source = "the lab's own"},
 };
 constexpr ValueRow kNormalEncoding[] = {
   {.value = at(NormalEncoding::oct16), .id = "oct16", .label = "octahedral 16+16", .help = "the sphere unfolded to a square, two 16-bit codes", .cost = "32 bits", .source = "Meyer et al. 2010, On floating-point normal vectors; Cigolle et al. 2014, Survey of efficient representations"},
@@ -80,17 +92,29 @@ constexpr ValueRow kNormalSpace[] = {
 };
 constexpr ValueRow kPositionSource[] = {
   {.value = at(PositionSource::depth), .id = "depth", .label = "from depth", .help = "position is recomputed from the depth buffer", .cost = "no attachment"},
+  {.value = at(PositionSource::linear32f), .id = "linear32f", .label = "linear depth 32F", .help = "distance along the view axis in a float of its own, whatever the depth buffer holds", .cost = "4 B/px", .source = "tutorial 9, exercise 45, made an attachment"},
+  {.value = at(PositionSource::world16f), .id = "world16f", .label = "world 16F", .help = "world position in half floats: rings step 2^-11 of the distance from the origin, and end at 65504", .cost = "8 B/px", .source = "de Vries 2014, LearnOpenGL, Deferred Shading: gPosition"},
+  {.value = at(PositionSource::world32f), .id = "world32f", .label = "world 32F", .help = "world position in floats: as exact as floats are this far from the origin", .cost = "16 B/px", .source = "tutorial 08-2, GBufferPosition"},
+  {.value = at(PositionSource::view16f), .id = "view16f", .label = "view 16F", .help = "view-space position in half floats: exact near the camera, whatever the origin", .cost = "8 B/px"},
+  {.value = at(PositionSource::view32f), .id = "view32f", .label = "view 32F", .help = "view-space position in floats: what the interpolator gave, to the last bit but one", .cost = "16 B/px"},
+  {.value = at(PositionSource::view_scaled), .id = "view-scaled", .label = "view / 10^6 + 1/2", .help = "view-space position squeezed into 0..1: a float used as fixed point, 3 cm steps at any distance", .cost = "16 B/px", .source = "engine blog, outputs.fs: posScale"},
 };
 constexpr ValueRow kPositionReconstruct[] = {
   {.value = at(PositionReconstruct::view_ray), .id = "view-ray", .label = "view ray x depth", .help = "camera-relative: the pixel's ray times linear depth; as exact as the depth format"},
   {.value = at(PositionReconstruct::inverse_viewproj), .id = "inverse-viewproj", .label = "inverse view-projection", .help = "a float 4x4 inverse: adds its own noise, larger than 24-bit depth's at a distance", .source = "nclgl tutorial 15, pointlightfragment.glsl lines 23-24"},
+  {.value = at(PositionReconstruct::inverse_viewproj_varying), .id = "inverse-viewproj-varying", .label = "inverse, per vertex", .help = "the inverse is taken in the vertex shader and passed on as four varyings: interpolation adds its own noise", .source = "nclgl tutorial 15, pointlightvertex.glsl"},
 };
 constexpr ValueRow kDepthFormat[] = {
   {.value = at(DepthFormat::d16), .id = "d16", .label = "D16", .help = "16-bit fixed point", .cost = "2 B/px"},
   {.value = at(DepthFormat::d24), .id = "d24", .label = "D24", .help = "24-bit fixed point, stored in 32", .cost = "4 B/px"},
   {.value = at(DepthFormat::d32f), .id = "d32f", .label = "D32F", .help = "32-bit float; no better than D24 unless reversed", .cost = "4 B/px"},
+  {.value = at(DepthFormat::d32f_reversed), .id = "d32f-reversed", .label = "D32F reversed", .help = "1 near, 0 far, clip depth 0..1: the float's fine steps near 0 meet the far end's coarse depths", .cost = "4 B/px", .source = "Reed 2015, Depth Precision Visualized", .needs = Feature::clip_control},
 };
 constexpr ValueRow kLightMethod[] = {
+  {.value = at(LightMethod::forward), .id = "forward", .label = "forward", .help = "no G-buffer: every fragment shades every light, seen in the end or not", .cost = "fragments x lights shaded; no G-buffer"},
+  {.value = at(LightMethod::forward_prepass), .id = "forward-prepass", .label = "forward after a depth pass", .help = "depth first, then only the visible fragments shade every light", .cost = "geometry twice; no G-buffer"},
+  {.value = at(LightMethod::forward_multipass), .id = "forward-multipass", .label = "forward, a pass per light", .help = "all geometry again for every light, added up: what deferred rendering was invented against", .cost = "geometry x (lights + 1); no G-buffer"},
+  {.value = at(LightMethod::prepass), .id = "prepass", .label = "deferred lighting", .help = "normal and gloss first, full-screen light into two targets, then geometry again with its materials", .cost = "geometry twice; a thin G-buffer", .source = "Engel 2008, Light Pre-Pass Renderer"},
   {.value = at(LightMethod::fullscreen), .id = "fullscreen", .label = "full screen", .help = "one pass: every pixel shades every light", .cost = "pixels x lights shaded"},
   {.value = at(LightMethod::fullscreen_radius), .id = "fullscreen-radius", .label = "full screen + distance test", .help = "one pass: every pixel reads every light and shades those in range", .cost = "pixels x lights read", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
   {.value = at(LightMethod::volumes), .id = "volumes", .label = "light volumes", .help = "one sphere mesh per light: only the pixels under it are shaded", .cost = "1 draw and 1 blend per light", .source = "nclgl tutorial 15, DrawPointLights"},
@@ -132,15 +156,24 @@ constexpr ValueRow kAccumulationTargets[] = {
 };
 constexpr ValueRow kBackgroundSkip[] = {
   {.value = at(BackgroundSkip::depth), .id = "depth", .label = "by depth", .help = "a pixel at the far value has no surface and is not shaded"},
+  {.value = at(BackgroundSkip::stencil), .id = "stencil", .label = "by stencil", .help = "surfaces mark the stencil buffer, and the light passes are tested against it", .cost = "8 bits beside the depth", .source = "tutorial 08-2, the stencil test of both passes"},
+  {.value = at(BackgroundSkip::alpha), .id = "alpha", .label = "by alpha", .help = "a stored alpha below 0.1 means no surface: needs a cleared target and a layout with a free alpha", .source = "engine blog, geomainpass.fs"},
+  {.value = at(BackgroundSkip::none), .id = "none", .label = "not skipped", .help = "the background's clear colour is taken for a surface at the far plane and lit", .cost = "every pixel shaded", .source = "nclgl tutorial 15, FillBuffers to CombineBuffers", .pitfall = "background-shaded"},
 };
 constexpr ValueRow kTangents[] = {
   {.value = at(Tangents::vertex), .id = "vertex", .label = "per vertex", .help = "tangent frames come with the mesh"},
+  {.value = at(Tangents::derivatives), .id = "derivatives", .label = "from derivatives", .help = "a frame per pixel from how position and texture coordinates change: no vertex data, blocky at silhouettes", .source = "Schueler 2006, Normal Mapping Without Precomputed Tangents"},
+  {.value = at(Tangents::matrix_columns), .id = "matrix-columns", .label = "columns of the matrix", .help = "the object's x and y axes taken for tangent and bitangent: right only where a face looks along its +Z", .source = "engine blog, part 31", .pitfall = "tangent-from-matrix"},
 };
 constexpr ValueRow kAntialias[] = {
   {.value = at(Antialias::none), .id = "none", .label = "none", .help = "one sample per pixel"},
+  {.value = at(Antialias::edge_blur), .id = "edge-blur", .label = "edges blurred", .help = "after lighting, pixels beside a step in depth or normal are mixed with their neighbours", .cost = "one pass", .source = "Shishkovtsov 2005, Deferred Shading in S.T.A.L.K.E.R."},
+  {.value = at(Antialias::msaa_resolved), .id = "msaa-resolved", .label = "MSAA, resolved G-buffer", .help = "four samples averaged before lighting: at edges normals and depths that no surface has", .cost = "4 x G-buffer bytes while it is drawn", .pitfall = "msaa-resolved-gbuffer"},
 };
 constexpr ValueRow kDrawOrder[] = {
   {.value = at(DrawOrder::near_far), .id = "near-far", .label = "near to far", .help = "objects sorted by distance, nearest first"},
+  {.value = at(DrawOrder::far_near), .id = "far-near", .label = "far to near", .help = "the other way round: every surface behind another is drawn first, and paid for"},
+  {.value = at(DrawOrder::seeded), .id = "seeded", .label = "shuffled", .help = "an order that has nothing to do with the view, the same every time"},
 };
 constexpr ValueRow kVolumeOverlay[] = {
   {.value = at(VolumeOverlay::off), .id = "off", .label = "off", .help = "no light volume is drawn over the picture"},

@@ -24,9 +24,9 @@ struct ValueRow {
 
 // ---- what is true -----------------------------------------------------------------------------------------
 enum class LightSource { scene, generated, rig };
-enum class LightSpot { cone };
+enum class LightSpot { cone, cos_power };
 enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed };
-enum class RangeKind { source };
+enum class RangeKind { source, threshold, windowed, none };
 enum class ShadingModel { lambert, phong, blinn_phong, ggx };
 enum class BackgroundFill { black, grey, colour, sky };
 enum class NormalMap { on, off };
@@ -34,13 +34,25 @@ enum class AlbedoSource { textured, white };
 enum class Colour { srgb, as_tutorial };
 
 // ---- how it is drawn --------------------------------------------------------------------------------------
-enum class Layout { albedo_roughness, nclgl, float32 };
+enum class Layout {
+  albedo_roughness,
+  nclgl,
+  stereo,
+  learnopengl,
+  objectid,
+  viewspace,
+  compact,
+  compact_metal,
+  exact,
+  float32,
+  auto_
+};
 enum class NormalEncoding { oct16, oct8, xyz8, stereo16f };
 enum class NormalSpace { world };
-enum class PositionSource { depth };
-enum class PositionReconstruct { view_ray, inverse_viewproj };
-enum class DepthFormat { d16, d24, d32f };
-enum class LightMethod { fullscreen, fullscreen_radius, volumes };
+enum class PositionSource { depth, linear32f, world16f, world32f, view16f, view32f, view_scaled };
+enum class PositionReconstruct { view_ray, inverse_viewproj, inverse_viewproj_varying };
+enum class DepthFormat { d16, d24, d32f, d32f_reversed };
+enum class LightMethod { forward, forward_prepass, forward_multipass, prepass, fullscreen, fullscreen_radius, volumes };
 enum class LightCull { flip, back, none, front, flip_safe };
 enum class VolumeLevel { l0, l1, l2, l3, l4 };
 enum class VolumeFit { inscribed, circumscribed };
@@ -48,10 +60,10 @@ enum class VolumeClip { none, planes };
 enum class VolumeDepth { none };
 enum class AccumulationFormat { rgba8, r11g11b10f, rgba16f, rgba32f };
 enum class AccumulationTargets { one, split };
-enum class BackgroundSkip { depth };
-enum class Tangents { vertex };
-enum class Antialias { none };
-enum class DrawOrder { near_far };
+enum class BackgroundSkip { depth, stencil, alpha, none };
+enum class Tangents { vertex, derivatives, matrix_columns };
+enum class Antialias { none, edge_blur, msaa_resolved };
+enum class DrawOrder { near_far, far_near, seeded };
 
 // ---- what is looked at ------------------------------------------------------------------------------------
 enum class VolumeOverlay { off, picked, all };

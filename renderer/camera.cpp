@@ -23,14 +23,19 @@ glm::dvec2 yaw_pitch_of(const glm::dquat& q) {
   return {glm::degrees(yaw), glm::degrees(pitch)};
 }
 
-glm::dmat4 clip_from_view(const Camera& c, double aspect) {
-  if (!c.orthographic()) return glm::perspective(glm::radians(c.fov), aspect, c.near, c.far);
+glm::dmat4 clip_from_view(const Camera& c, double aspect, DepthRuns runs) {
   const double h = c.orthographic_height / 2;
-  return glm::ortho(-h * aspect, h * aspect, -h, h, c.near, c.far);
+  glm::dmat4 clip = c.orthographic() ? glm::ortho(-h * aspect, h * aspect, -h, h, c.near, c.far)
+                                     : glm::perspective(glm::radians(c.fov), aspect, c.near, c.far);
+  if (runs == DepthRuns::reversed) {
+    clip[2][2] = (c.orthographic() ? 1 : c.near) / (c.far - c.near);
+    clip[3][2] = c.far * clip[2][2];
+  }
+  return clip;
 }
 
-glm::dmat4 clip_from_relative(const Camera& c, double aspect) {
-  return clip_from_view(c, aspect) * glm::mat4_cast(glm::conjugate(c.orientation));
+glm::dmat4 clip_from_relative(const Camera& c, double aspect, DepthRuns runs) {
+  return clip_from_view(c, aspect, runs) * glm::mat4_cast(glm::conjugate(c.orientation));
 }
 
 ViewRays view_rays(const Camera& c, double aspect) {
@@ -38,15 +43,16 @@ ViewRays view_rays(const Camera& c, double aspect) {
   return {c.forward(), c.right() * half_height * aspect, c.up() * half_height};
 }
 
-double range_from_depth(const Camera& c, double depth) {
-  if (c.orthographic()) return c.near + depth * (c.far - c.near);
+double range_from_depth(const Camera& c, double depth, DepthRuns runs) {
+  const double from_far = runs == DepthRuns::reversed ? depth : 1 - depth;
+  if (c.orthographic()) return c.far - from_far * (c.far - c.near);
   // near far / (far - depth (far - near)), without its cancellation: 1 - depth is exact from 0.5 on.
-  return c.near * c.far / (c.near + (1 - depth) * (c.far - c.near));
+  return c.near * c.far / (c.near + from_far * (c.far - c.near));
 }
 
-double depth_from_range(const Camera& c, double range) {
-  if (c.orthographic()) return (range - c.near) / (c.far - c.near);
-  return c.far * (range - c.near) / (range * (c.far - c.near));
+double depth_from_range(const Camera& c, double range, DepthRuns runs) {
+  const double part = c.orthographic() ? 1 : runs == DepthRuns::reversed ? c.near / range : c.far / range;
+  return part * (runs == DepthRuns::reversed ? c.far - range : range - c.near) / (c.far - c.near);
 }
 
 double near_corner_factor(const Camera& c, double aspect) {

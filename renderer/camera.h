@@ -24,11 +24,15 @@ struct Camera {
 glm::dquat orientation_from_yaw_pitch(double yaw_deg, double pitch_deg);
 glm::dvec2 yaw_pitch_of(const glm::dquat& orientation);  // {yaw, pitch} in degrees
 
-// Clip space as GL's: x, y, z in -w..w, near at z = -w.
-glm::dmat4 clip_from_view(const Camera&, double aspect);
+// How depth runs. Standard: window depth 0 near, 1 far; clip z in -w..w, as GL's. Reversed: 1 near, 0 far; clip z in
+// 0..w (Reed 2015, "Depth Precision Visualized").
+enum class DepthRuns { standard, reversed };
+
+// Clip space: x and y in -w..w, z as DepthRuns says.
+glm::dmat4 clip_from_view(const Camera&, double aspect, DepthRuns = DepthRuns::standard);
 
 // "Relative" = world axes, origin at the camera: small numbers even 10^7 units from the world's origin.
-glm::dmat4 clip_from_relative(const Camera&, double aspect);
+glm::dmat4 clip_from_relative(const Camera&, double aspect, DepthRuns = DepthRuns::standard);
 
 // A surface point relative to the camera is
 //   perspective:   range * (forward + x * right + y * up)      x, y = normalised device coordinates, -1..1
@@ -40,8 +44,8 @@ struct ViewRays {
 ViewRays view_rays(const Camera&, double aspect);
 
 // Window depth 0..1 -> distance along the view axis, and back.
-double range_from_depth(const Camera&, double depth);
-double depth_from_range(const Camera&, double range);
+double range_from_depth(const Camera&, double depth, DepthRuns = DepthRuns::standard);
+double depth_from_range(const Camera&, double range, DepthRuns = DepthRuns::standard);
 
 // Distance from the camera to a corner of the near plane, as a factor of `near`:
 // sqrt(1 + tan^2(fov/2) (1 + aspect^2)); 1.309 at 45 degrees and 16:9.

@@ -31,6 +31,10 @@ double estimate_work(const Settings& s, const std::vector<Light>& lights) {
   double under_volumes = 0;
   for (const Light& l : lights) under_volumes += covered_share(s, l, scale);
   switch (s.lights.method) {
+    case LightMethod::forward:
+    case LightMethod::forward_prepass:
+    case LightMethod::forward_multipass: return pixels * double(lights.size());
+    case LightMethod::prepass:
     case LightMethod::fullscreen: return pixels * double(lights.size());
     case LightMethod::fullscreen_radius: return pixels * (kTestCost * double(lights.size()) + under_volumes);
     case LightMethod::volumes: return pixels * under_volumes * (s.lights.cull == LightCull::none ? 2 : 1);

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/settings.h"
+
 namespace gbl {
 
 struct PassTime {
@@ -27,9 +29,11 @@ struct FrameReport {
   int draw_calls = 0;
   int gbuffer_bytes_per_pixel = 0;
   int accumulation_bytes_per_pixel = 0;
-  double mib = 0;       // of all targets of the frame
-  int light_count = 0;  // lights drawn
-  std::string note;     // reduced size, missing feature, …; empty = nothing to say
+  double mib = 0;                    // of all targets of the frame
+  int light_count = 0;               // lights drawn
+  Settings drawn;                    // the settings with nothing left to choose (renderer/resolve.h)
+  std::vector<std::string> choices;  // what was chosen for `auto` and why
+  std::string note;                  // reduced size, missing feature, …; empty = nothing to say
 };
 
 }  // namespace gbl

@@ -1,27 +1,83 @@
 #include "renderer/gbuffer_layout.h"
 
+#include <span>
+
 namespace gbl {
 namespace {
 
-struct MaterialRow {
+struct LayoutRow {
   Layout layout;
-  Attachment attachment;
   LayoutFacts facts;
+  std::span<const Attachment> material;
 };
 
-constexpr MaterialRow kMaterials[] = {
-    {Layout::albedo_roughness,
-     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba8,
-      "rgb: albedo, sRGB-coded; a: roughness"},
-     {true, true, ""}},
-    {Layout::nclgl,
-     {"gbuffer.colour", Pass::geometry, Stores::material, Format::rgba8, "rgb: colour, sRGB-coded; a: 1, unused"},
-     {false, true, "the nclgl layout stores no roughness: the exponent is one constant for all surfaces"}},
-    {Layout::float32,
-     {"gbuffer.albedo_roughness", Pass::geometry, Stores::material, Format::rgba32f,
-      "rgb: albedo, linear; a: roughness"},
-     {true, false, ""}},
+constexpr Attachment of_geometry(const char* name, Stores stores, Format format, const char* contents) {
+  return {name, Pass::geometry, stores, format, contents};
+}
+
+// clang-format off
+constexpr Attachment kAlbedoRoughness[] = {
+  of_geometry("gbuffer.albedo_roughness", Stores::material, Format::rgba8, "rgb: albedo, sRGB-coded; a: roughness")};
+constexpr Attachment kNclgl[] = {
+  of_geometry("gbuffer.colour", Stores::material, Format::rgba8, "rgb: colour, sRGB-coded; a: 1, unused")};
+constexpr Attachment kStereo[] = {
+  of_geometry("gbuffer.diffuse", Stores::material, Format::rgba8, "rgb: diffuse colour, sRGB-coded; a: padding of RGB8"),
+  of_geometry("gbuffer.specular_rough", Stores::reflectance, Format::rgba8, "rgb: specular colour; a: roughness")};
+constexpr Attachment kLearnopengl[] = {
+  of_geometry("gbuffer.albedo_spec", Stores::material, Format::rgba8, "rgb: albedo, sRGB-coded; a: specular strength")};
+constexpr Attachment kObjectid[] = {
+  of_geometry("gbuffer.ambient", Stores::ambient, Format::rgba8, "rgb: Ka, sRGB-coded; a: 1"),
+  of_geometry("gbuffer.diffuse", Stores::material, Format::rgba8, "rgb: Kd, sRGB-coded; a: 1"),
+  of_geometry("gbuffer.specular", Stores::reflectance, Format::rgba8, "rgb: Ks; a: 1"),
+  of_geometry("gbuffer.shininess", Stores::shininess, Format::r32f, "r: Ns, the highlight's exponent"),
+  of_geometry("gbuffer.object_id", Stores::id, Format::r32ui, "r: number of the object, from 1; 0 where none is")};
+constexpr Attachment kViewspace[] = {
+  of_geometry("gbuffer.ambient", Stores::ambient, Format::rgba8, "rgb: ambient colour, sRGB-coded; a: 1 where a surface is"),
+  of_geometry("gbuffer.diffuse", Stores::material, Format::rgba8, "rgb: diffuse colour, sRGB-coded; a: 1"),
+  of_geometry("gbuffer.specular", Stores::reflectance, Format::rgba8, "rgb: specular colour; a: exponent / 256")};
+constexpr Attachment kCompact[] = {
+  of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
+              "r: roughness bits 8-11, normal 28; g: roughness bits 0-7, albedo 8 8 8 sRGB-coded")};
+constexpr Attachment kCompactMetal[] = {
+  of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
+              "r: roughness bits 8-11, normal 28; g: roughness bits 0-7, base colour 8 8 8 sRGB-coded"),
+  of_geometry("gbuffer.reflectance", Stores::reflectance, Format::r32ui, "metal 6, occlusion 6, emission 7 7 6 sRGB-coded")};
+constexpr Attachment kExact[] = {
+  of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
+              "r: base colour red 12, green 12, metal 8; g: blue 12, sRGB-coded, roughness 12, occlusion 8"),
+  of_geometry("gbuffer.emission", Stores::emission, Format::r32ui, "emission: 9 9 9 bits and a shared exponent of 5")};
+constexpr Attachment kFloat32[] = {
+  of_geometry("gbuffer.albedo_roughness", Stores::material, Format::rgba32f, "rgb: albedo, linear; a: roughness"),
+  of_geometry("gbuffer.reflectance", Stores::reflectance, Format::rgba32f, "rgb: F0; a: occlusion"),
+  of_geometry("gbuffer.emission", Stores::emission, Format::rgba32f, "rgb: radiance it sends out itself; a: metal")};
+
+constexpr LayoutRow kLayouts[] = {
+  {Layout::albedo_roughness, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = ""}, kAlbedoRoughness},
+  {Layout::nclgl, {.shows = MaterialView::nothing, .srgb_coded_albedo = true,
+     .roughness_missing = "the nclgl layout stores no roughness: the exponent is one constant for all surfaces", .alpha_marks = true}, kNclgl},
+  {Layout::stereo, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .keeps_emission = true}, kStereo},
+  {Layout::learnopengl, {.shows = MaterialView::specular, .srgb_coded_albedo = true,
+     .roughness_missing = "the learnopengl layout stores a specular strength and no roughness"}, kLearnopengl},
+  {Layout::objectid, {.shows = MaterialView::specular, .srgb_coded_albedo = true, .roughness_missing = "", .alpha_marks = true}, kObjectid},
+  {Layout::viewspace, {.shows = MaterialView::specular, .srgb_coded_albedo = true, .roughness_missing = "", .alpha_marks = true}, kViewspace},
+  {Layout::compact, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true}, kCompact},
+  {Layout::compact_metal, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true, .keeps_emission = true}, kCompactMetal},
+  {Layout::exact, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true, .keeps_emission = true}, kExact},
+  {Layout::float32, {.shows = MaterialView::roughness, .srgb_coded_albedo = false, .roughness_missing = "", .keeps_emission = true}, kFloat32},
+  {Layout::auto_, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = ""}, {}},
 };
+// clang-format on
+static_assert([] {
+  for (size_t i = 0; i < std::size(kLayouts); ++i)
+    if (kLayouts[i].layout != static_cast<Layout>(i)) return false;
+  return true;
+}());
+
+// What lighting needs when the materials come later: deferred lighting's thin G-buffer.
+constexpr Attachment kThin =
+    of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba8, "rgb: specular colour; a: roughness");
+constexpr Attachment kThinFloat =
+    of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba32f, kThin.contents);
 
 Format normal_format(NormalEncoding e) {
   switch (e) {
@@ -33,9 +89,15 @@ Format normal_format(NormalEncoding e) {
   return Format::rgba8;
 }
 
-Format depth_format(DepthFormat f) {
-  constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f};
-  return kDepth[static_cast<int>(f)];
+Attachment position_attachment(PositionSource source) {
+  constexpr Format kFormats[] = {Format::r32f,    Format::r32f,    Format::rgba16f, Format::rgba32f,
+                                 Format::rgba16f, Format::rgba32f, Format::rgba32f};
+  return {"gbuffer.position", Pass::geometry, Stores::position, kFormats[static_cast<int>(source)], row(source).help};
+}
+
+Format depth_format(const Settings& s) {
+  constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f, Format::d32f};
+  return kDepth[static_cast<int>(s.depth.format)];
 }
 
 Format accumulation_format(AccumulationFormat f) {
@@ -50,28 +112,67 @@ int bytes_per_pixel(const Settings& s, Pass pass) {
   return bytes;
 }
 
+bool split(const Settings& s) { return s.accumulation.targets == AccumulationTargets::split; }
+
+void append_material(const Settings& s, std::vector<Attachment>& all) {
+  if (shading_of(s.lights.method) == Shading::light_prepass) {
+    all.push_back(s.layout == Layout::float32 ? kThinFloat : kThin);
+    return;
+  }
+  for (const Attachment& a : kLayouts[static_cast<int>(s.layout)].material) all.push_back(a);
+  if (s.layout == Layout::stereo) {
+    const Format sum = accumulation_format(s.accumulation.format);
+    all.push_back(sum_begins_in_geometry(s)
+                      ? of_geometry("light.sum", Stores::light, sum, "rgb: ambient + emission, then all light")
+                      : of_geometry("gbuffer.accumulation", Stores::emission, sum, "rgb: ambient + emission"));
+  }
+}
+
+void append_light(const Settings& s, std::vector<Attachment>& all) {
+  const Format sum = accumulation_format(s.accumulation.format);
+  if (split(s)) {
+    all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
+    all.push_back({"light.specular", Pass::lighting, Stores::specular_light, sum, "rgb: specular light"});
+  } else if (!sum_begins_in_geometry(s)) {
+    all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
+  }
+}
+
 }  // namespace
+
+Shading shading_of(LightMethod m) {
+  switch (m) {
+    case LightMethod::forward:
+    case LightMethod::forward_prepass:
+    case LightMethod::forward_multipass: return Shading::forward;
+    case LightMethod::prepass: return Shading::light_prepass;
+    default: return Shading::deferred;
+  }
+}
+
+bool sum_begins_in_geometry(const Settings& s) {
+  return s.layout == Layout::stereo && !split(s) && shading_of(s.lights.method) == Shading::deferred;
+}
+
+bool normal_in_material(const Settings& s) {
+  return (s.layout == Layout::compact || s.layout == Layout::compact_metal) &&
+         shading_of(s.lights.method) == Shading::deferred && row(s.normal.encoding).id == std::string_view("oct14");
+}
 
 std::vector<Attachment> attachments(const Settings& s) {
   std::vector<Attachment> all;
-  all.push_back(kMaterials[static_cast<int>(s.layout)].attachment);
-  all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, normal_format(s.normal.encoding),
-                 row(s.normal.encoding).label});
-  if (s.layout == Layout::float32) {
-    all.push_back(
-        {"gbuffer.reflectance", Pass::geometry, Stores::reflectance, Format::rgba32f, "rgb: F0; a: occlusion"});
-    all.push_back(
-        {"gbuffer.emission", Pass::geometry, Stores::emission, Format::rgba32f, "rgb: radiance it sends out itself"});
+  const bool forward = shading_of(s.lights.method) == Shading::forward;
+  if (!forward) {
+    append_material(s, all);
+    if (!normal_in_material(s))
+      all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, normal_format(s.normal.encoding),
+                     row(s.normal.encoding).label});
+    if (s.position.source != PositionSource::depth) all.push_back(position_attachment(s.position.source));
   }
-  all.push_back(
-      {"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s.depth.format), "window depth 0..1, near to far"});
-  const Format sum = accumulation_format(s.accumulation.format);
-  if (s.accumulation.targets == AccumulationTargets::split) {
-    all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
-    all.push_back({"light.specular", Pass::lighting, Stores::specular_light, sum, "rgb: specular light"});
-  } else {
-    all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
-  }
+  all.push_back({"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s),
+                 s.depth.format == DepthFormat::d32f_reversed ? "window depth 1..0, near to far"
+                                                              : "window depth 0..1, near to far"});
+  if (!forward) append_light(s, all);
   all.push_back(
       {"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
   return all;
@@ -86,6 +187,6 @@ const Attachment* find(const std::vector<Attachment>& all, Stores what) {
 int gbuffer_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(s, Pass::geometry); }
 int accumulation_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(s, Pass::lighting); }
 
-const LayoutFacts& facts(Layout l) { return kMaterials[static_cast<int>(l)].facts; }
+const LayoutFacts& facts(Layout l) { return kLayouts[static_cast<int>(l)].facts; }
 
 }  // namespace gbl

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/error.h"
+#include "renderer/mistakes.h"
 #include "renderer/views.h"
 
 namespace gbl {
@@ -101,8 +102,12 @@ double checked_exponent(const Option& o, const Json& v) {
 
 std::set<std::string> checked_mistakes(const Option& o, const Json& v) {
   if (!v.is_array()) bad_value(o, v, "an array of ids");
-  if (!v.empty()) bad_value(o, v, "empty; no mistake of the catalogue is built yet");
-  return {};
+  std::set<std::string> ids;
+  for (const Json& id : v) {
+    if (!id.is_string()) bad_value(o, v, "an array of ids");
+    ids.insert(mistake(id.get<std::string>()).id);
+  }
+  return ids;
 }
 
 constexpr double kFar = 1e9;  // world units; a bound for numbers that only have to be sane
@@ -161,6 +166,7 @@ const Option kOptions[] = {
   {.path = "view.main", .group = Group::view, .label = "Main view", .help = "the view shown large, by id", .kind = Kind::text, .get = GET(s.view.main), .set = SET(s.view.main = view_by_id(checked_text(o, v)).id)},
   {.path = "view.volumes", .group = Group::view, .label = "Light volumes", .help = "wires over the main view", .key = "V", CHOICE(VolumeOverlay, view.volumes)},
   {.path = "view.pick", .group = Group::view, .label = "Picked light", .help = "index of the light that wires, I and captions speak of", INTEGER(view.pick, 0, kMaxLights - 1)},
+  {.path = "view.object", .group = Group::view, .label = "Picked object", .help = "number of the object that is outlined and named, from 1; 0 = none", INTEGER(view.object, 0, 1 << 24)},
 };
 // clang-format on
 #undef TEXT

@@ -103,6 +103,7 @@ struct Light {
   glm::dvec3 direction{0, -1, 0};       // unit, from the light; of spot and directional
   double inner_cos = 1, outer_cos = 0;  // of a spot: full within the inner cone, none outside the outer
   glm::dvec3 coefficients{0};           // its own falloff 1/(x + y d + z d^2), before the settings'; all 0: none
+  double profile_range = 0;             // what the settings' falloff is a function of; set by lights_of()
 };
 
 // How a scene places N generated lights: on a grid of side ceil(sqrt(N)), turning about a vertical axis.

@@ -1,5 +1,6 @@
 #include "renderer/settings.h"
 
+#include "renderer/gbuffer_layout.h"
 #include "renderer/options.h"
 
 namespace gbl {
@@ -10,11 +11,25 @@ bool same_truth(const Settings& a, const Settings& b) {
   return true;
 }
 
-// Cull, level, fit, clip and depth of a volume mean nothing to a method that draws none.
+namespace {
+
+// Where nothing is stored, how it is stored means nothing.
+bool of_gbuffer(std::string_view path) {
+  for (const std::string_view prefix : {"layout", "normal.", "position.", "accumulation.", "background.skip"})
+    if (path.starts_with(prefix)) return true;
+  return false;
+}
+
+}  // namespace
+
 bool in_use(const Option& o, const Settings& s) {
   const std::string_view path = o.path;
-  const bool of_volumes = path == "lights.cull" || path.starts_with("lights.volume.");
-  return !of_volumes || s.lights.method == LightMethod::volumes;
+  if (path == "lights.cull" || path.starts_with("lights.volume.")) return s.lights.method == LightMethod::volumes;
+  if (of_gbuffer(path) && shading_of(s.lights.method) == Shading::forward) return false;
+  if (path == "position.reconstruct") return s.position.source == PositionSource::depth;
+  if (path == "tangents") return s.normal_map == NormalMap::on;
+  if (path == "range.threshold") return s.range.kind == RangeKind::threshold;
+  return true;
 }
 
 std::vector<Unsound> unsound_choices(const Settings& s) {

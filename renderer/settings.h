@@ -93,13 +93,14 @@ struct Settings {
   Tangents tangents = Tangents::vertex;
   Antialias antialias = Antialias::none;
   DrawOrder draw_order = DrawOrder::near_far;
-  std::set<std::string> mistakes;  // ids of the catalogue; none is built yet
+  std::set<std::string> mistakes;  // ids of renderer/mistakes.h
 
   // ---- what is looked at ----
   struct View {
     std::string main = "final";  // a view's id
     VolumeOverlay volumes = VolumeOverlay::off;
-    int pick = 0;  // the picked light's index
+    int pick = 0;    // the picked light's index
+    int object = 0;  // the picked object's number, from 1; 0: none
     bool operator==(const View&) const = default;
   } view;
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/error.h"
+#include "renderer/gbuffer_layout.h"
 #include "renderer/options.h"
 
 namespace gbl {
@@ -28,17 +29,48 @@ void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Pr
   }
 }
 
+void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Problem>& out) {
+  const Shading shading = shading_of(s.lights.method);
+  if (shading == Shading::forward) {
+    if (s.antialias == Antialias::msaa_resolved)
+      out.push_back({ProblemId::samples_need_gbuffer, "antialias",
+                     "msaa-resolved averages a G-buffer, and forward shading has none; choose none or edge-blur"});
+    return;
+  }
+  const bool alpha = shading == Shading::deferred && facts(s.layout).alpha_marks;
+  if (s.background.skip == BackgroundSkip::alpha && !alpha)
+    out.push_back({ProblemId::alpha_not_stored, "background.skip",
+                   fmt::format("the {} layout stores no alpha that marks a surface; choose depth, or the layout nclgl, "
+                               "objectid or viewspace with a deferred method",
+                               row(s.layout).id)});
+  if (shading == Shading::light_prepass && s.accumulation.targets != AccumulationTargets::split)
+    out.push_back({ProblemId::prepass_needs_split, "accumulation.targets",
+                   "deferred lighting does not know the albedo yet when it sums light; choose split"});
+  int targets = 0;
+  if (s.layout != Layout::auto_)
+    for (const Attachment& a : attachments(s)) targets += a.written_by == Pass::geometry && a.stores != Stores::depth;
+  if (targets > limits.max_draw_buffers)
+    out.push_back(
+        {ProblemId::too_many_targets, "layout",
+         fmt::format("{} colour targets in one pass, and this driver draws into {}; choose a smaller layout, or "
+                     "position.source=depth",
+                     targets, limits.max_draw_buffers)});
+}
+
 }  // namespace
 
 const char* id_of(ProblemId id) {
-  constexpr const char* kIds[] = {"not-finite",    "size-above-limit", "far-not-beyond-near", "rig-not-read",
-                                  "rig-not-named", "no-such-light",    "feature-missing"};
+  constexpr const char* kIds[] = {"not-finite",           "size-above-limit", "far-not-beyond-near",
+                                  "rig-not-read",         "rig-not-named",    "no-such-light",
+                                  "feature-missing",      "alpha-not-stored", "prepass-needs-split",
+                                  "samples-need-gbuffer", "too-many-targets"};
   return kIds[static_cast<int>(id)];
 }
 
 std::vector<Problem> validate(const Settings& s, const DeviceLimits& limits) {
   std::vector<Problem> out;
   check_options(s, limits, out);
+  check_gbuffer(s, limits, out);
   if (s.size.x > limits.max_size || s.size.y > limits.max_size)
     out.push_back({ProblemId::size_above_limit, "size",
                    fmt::format("{}x{} is above this driver's limit of {} a side; choose a smaller size", s.size.x,

@@ -15,7 +15,11 @@ enum class ProblemId {
   rig_not_read,
   rig_not_named,
   no_such_light,
-  feature_missing
+  feature_missing,
+  alpha_not_stored,
+  prepass_needs_split,
+  samples_need_gbuffer,
+  too_many_targets
 };
 
 struct Problem {
@@ -27,7 +31,8 @@ const char* id_of(ProblemId);
 
 struct DeviceLimits {
   FeatureSet features;
-  int max_size = 16384;  // pixels a side
+  int max_size = 16384;      // pixels a side
+  int max_draw_buffers = 8;  // colour attachments of one pass
 };
 
 std::vector<Problem> validate(const Settings&, const DeviceLimits&);

@@ -135,6 +135,8 @@ Legend depth_legend(const Settings& s, const Bounds& bounds) {
 }
 
 Legend roughness_legend(const Settings& s) {
+  if (facts(s.layout).shows == MaterialView::specular && shading_of(s.lights.method) == Shading::deferred)
+    return {false, {{"colour of the highlight", grey(0.5)}}, {}};
   Legend bar{true, {}, {}};
   for (int i = 0; i <= kBarSteps; ++i) {
     const double roughness = static_cast<double>(i) / kBarSteps;
@@ -198,8 +200,15 @@ const ViewRow& view_by_id(std::string_view id) {
 }
 
 std::string why_missing(View v, const Settings& s) {
-  if (v == View::material && !facts(s.layout).stores_roughness) return facts(s.layout).roughness_missing;
   const bool one_light = v == View::diffuse_light || v == View::specular_light;
+  const bool surface = v == View::albedo || v == View::normal || v == View::material;
+  const Shading shading = shading_of(s.lights.method);
+  if (shading == Shading::forward && (surface || one_light))
+    return "forward shading keeps no G-buffer and no light apart: surfaces are shaded as they are drawn";
+  if (shading == Shading::light_prepass && v == View::albedo)
+    return "deferred lighting stores no albedo: materials are read when the geometry is drawn again";
+  if (v == View::material && shading == Shading::deferred && facts(s.layout).shows == MaterialView::nothing)
+    return facts(s.layout).roughness_missing;
   if (one_light && s.accumulation.targets != AccumulationTargets::split)
     return "all light goes into one target; accumulation.targets=split keeps diffuse and specular apart";
   return {};
@@ -210,7 +219,12 @@ std::string stored_as(View v, const Settings& s) {
   if (v == View::lights_per_pixel) return "counted apart, R32F 4 B";
   const std::vector<Attachment> all = attachments(s);
   const Attachment* a = find(all, stored(v));
+  const bool beside_albedo = v == View::material && !facts(s.layout).words && s.layout != Layout::float32;
+  if (beside_albedo && find(all, Stores::reflectance)) a = find(all, Stores::reflectance);
+  if (v == View::position && find(all, Stores::position)) a = find(all, Stores::position);
+  if (v == View::normal && !a) a = find(all, Stores::material);
   if (!a) a = find(all, Stores::light);
+  if (!a) a = find(all, Stores::lit);
   return fmt::format("{} {} {} B", a->name, row(a->format).label, row(a->format).bytes);
 }
 

@@ -16,6 +16,7 @@ vec3 linear_from_coded(vec3 c) { return c; }
 
 // The nearest code of 8 bits, rounded here and not by the driver's store.
 vec3 quantised8(vec3 c) { return floor(clamp(c, 0.0, 1.0) * 255.0 + 0.5) / 255.0; }
+vec4 quantised8(vec4 c) { return floor(clamp(c, 0.0, 1.0) * 255.0 + 0.5) / 255.0; }
 
 // What the display shows: exposure, clamp, transfer curve.
 vec3 display(vec3 radiance, float exposure) { return coded_from_linear(clamp(radiance * exposure, 0.0, 1.0)); }

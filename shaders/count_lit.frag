@@ -5,10 +5,11 @@
 layout(location = 0) out vec4 count;
 
 void main() {
-  Surface s = read_surface(ivec2(gl_FragCoord.xy));
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec3 position = read_position(texel);
   float lit = 0.0;
-  for (int i = 0; s.present && i < lights.x; ++i) {
-    if (reaches(read_light(i), s.position)) lit += 1.0;
+  for (int i = 0; read_depth(texel) != kFarDepth && i < lights.x; ++i) {
+    if (reaches(read_light(i), position)) lit += 1.0;
   }
   count = vec4(lit, 0.0, 0.0, 0.0);
 }

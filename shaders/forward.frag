@@ -1,18 +1,30 @@
-// Transparent surfaces, after lighting: every light by the loop, blended over what is behind.
+// Surfaces shaded as they are drawn: opaque ones of forward shading, and transparent ones after any lighting.
+// A span of lights per draw: all of them, or one and added up. OUTPUT_COUNT counts pairs instead.
 #include "material.glsl"
 #include "shade.glsl"
 
+uniform ivec2 light_span;     // from, to
+uniform float ambient_share;  // 1 in the draw that brings ambient light and emission
 layout(location = 0) out vec4 radiance;
 
 void main() {
   vec4 base = material_base();
+#if ALPHA_MASK
+  if (base.a < alpha_cutoff) discard;
+#endif
+#if OUTPUT == OUTPUT_COUNT
+  vec3 counts = vec3(0.0);
+  for (int i = light_span.x; i < light_span.y; ++i) counts += vec3(1.0, 1.0, reaches(read_light(i), relative) ? 1.0 : 0.0);
+  radiance = vec4(counts, 0.0);
+#else
   Surface s = material_surface(base);
-  vec3 sum = shading.z * s.occlusion * (s.albedo + s.f0) + s.emissive;
+  vec3 sum = ambient_share * (shading.z * s.ambient + s.emissive);
 #if !UNLIT
-  for (int i = 0; i < lights.x; ++i) {
+  for (int i = light_span.x; i < light_span.y; ++i) {
     Lighting one = shade(s, read_light(i));
     sum += s.albedo * one.diffuse + one.specular;
   }
 #endif
   radiance = vec4(sum, base.a);
+#endif
 }

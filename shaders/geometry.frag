@@ -1,11 +1,31 @@
-// Material and normal of what is visible, packed as the layout says.
+// Material, normal and position of what is visible, packed as the layout says.
 #include "material.glsl"
+#include "position.glsl"
 
-layout(location = 0) out vec4 out_material;
-layout(location = 1) out NORMAL_OUTPUT out_normal;
-#if MATERIAL_TARGETS > 1
-layout(location = 2) out vec4 out_reflectance;
-layout(location = 3) out vec4 out_emission;
+layout(location = STORED_MATERIAL) out MATERIAL_TEXEL out_material;
+#ifdef STORED_NORMAL
+layout(location = STORED_NORMAL) out NORMAL_OUTPUT out_normal;
+#endif
+#ifdef STORED_REFLECTANCE
+layout(location = STORED_REFLECTANCE) out MATERIAL_TEXEL out_reflectance;
+#endif
+#ifdef STORED_EMISSION
+layout(location = STORED_EMISSION) out MATERIAL_TEXEL out_emission;
+#endif
+#ifdef STORED_AMBIENT
+layout(location = STORED_AMBIENT) out vec4 out_ambient;
+#endif
+#ifdef STORED_SHININESS
+layout(location = STORED_SHININESS) out vec4 out_shininess;
+#endif
+#ifdef STORED_ID
+layout(location = STORED_ID) out uvec4 out_id;
+#endif
+#ifdef STORED_POSITION
+layout(location = STORED_POSITION) out vec4 out_position;
+#endif
+#ifdef STORED_LIGHT
+layout(location = STORED_LIGHT) out vec4 out_light;
 #endif
 
 void main() {
@@ -15,9 +35,28 @@ void main() {
 #endif
   Surface s = material_surface(base);
   out_material = pack_material(s);
+#ifdef STORED_NORMAL
   out_normal = pack_normal(s.normal);
-#if MATERIAL_TARGETS > 1
+#endif
+#ifdef STORED_REFLECTANCE
   out_reflectance = pack_reflectance(s);
+#endif
+#ifdef STORED_EMISSION
   out_emission = pack_emission(s);
+#endif
+#ifdef STORED_AMBIENT
+  out_ambient = vec4(coded8(s.ambient), 1.0);
+#endif
+#ifdef STORED_SHININESS
+  out_shininess = vec4(stored_exponent(s), 0.0, 0.0, 0.0);
+#endif
+#ifdef STORED_ID
+  out_id = uvec4(object_id, 0u, 0u, 0u);
+#endif
+#ifdef STORED_POSITION
+  out_position = pack_position(s.position);
+#endif
+#ifdef STORED_LIGHT
+  out_light = vec4(shading.z * s.ambient + s.emissive, 0.0);
 #endif
 }

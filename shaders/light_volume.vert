@@ -1,5 +1,6 @@
 // A unit sphere mesh, scaled and moved to one light.
 #include "lights.glsl"
+#include "varyings.glsl"
 
 layout(location = 0) in vec3 vertex;  // on the unit sphere
 uniform int light_index;
@@ -8,6 +9,7 @@ flat out int light;
 
 void main() {
   light = light_index;
+  pass_varyings();
 #if WHOLE_SCREEN
   // A light without end has no volume: the triangle of fullscreen.vert.
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);

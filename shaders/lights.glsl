@@ -3,12 +3,13 @@
 
 struct Light {
   vec3 position;  // relative to the camera, world axes
-  float range;
+  float range;    // no light at or beyond it
+  float profile;  // the range that the falloff is a function of
   vec3 colour;
 #if LIGHT_KINDS
   int kind;
   vec3 direction;  // unit, from the light
-  float inner_cos, outer_cos;
+  float inner_cos, outer_cos;  // of a spot; under SPOT_COS_POWER the inner is the cosine's exponent, and no edge
   vec3 coefficients;  // of its own falloff 1/(x + y d + z d2); all 0: the settings' profile
 #endif
 };
@@ -24,6 +25,11 @@ Light read_light(int i) {
   light.position = place.xyz;
   light.range = place.w;
   light.colour = colour.rgb;
+#if RANGE_IS_PROFILE
+  light.profile = light.range;
+#else
+  light.profile = light_texel(i * LIGHT_TEXELS + 4).x;
+#endif
 #if LIGHT_KINDS
   vec4 aim = light_texel(i * LIGHT_TEXELS + 2);
   light.kind = int(colour.w);

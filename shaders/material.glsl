@@ -8,6 +8,8 @@ in vec3 bitangent;
 in vec2 uv0;
 in vec2 uv1;
 in vec4 colour;
+flat in uint object_id;  // from 1
+flat in mat3 object_axes;
 
 uniform sampler2D base_colour_map;
 uniform sampler2D normal_map;
@@ -34,16 +36,44 @@ vec4 material_base() {
   return base;
 }
 
+#if MISTAKE_INTERPOLATED_NOT_NORMALISED
+vec3 unit(vec3 v) { return v; }
+#else
+vec3 unit(vec3 v) { return normalize(v); }
+#endif
+
+vec3 unit_or_zero(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }
+
+// Columns: along +u, along +v, along the normal.
+mat3 tangent_frame(vec3 n, float side) {
+#if TANGENTS == TANGENTS_VERTEX
+  return mat3(unit_or_zero(tangent) * side, unit_or_zero(bitangent) * side, n);
+#elif TANGENTS == TANGENTS_MATRIX_COLUMNS
+  return mat3(normalize(object_axes[0]), normalize(object_axes[1]), n);
+#else
+  // The frame in which position changes with u and v (Schueler 2006, "Normal Mapping Without Precomputed Tangents").
+  vec2 uv = uv_of(NORMAL_MAP_);
+  vec3 across = cross(dFdy(relative), n), down = cross(n, dFdx(relative));
+  vec2 du = vec2(dFdx(uv.x), dFdy(uv.x)), dv = vec2(dFdx(uv.y), dFdy(uv.y));
+  vec3 t = across * du.x + down * du.y, b = across * dv.x + down * dv.y;
+  float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
+  return mat3(t * scale, -b * scale, n);  // v runs downwards, +Y of the map upwards
+#endif
+}
+
 vec3 shading_normal() {
-  vec3 n = normalize(normal) * (gl_FrontFacing ? 1.0 : -1.0);
+  float side = gl_FrontFacing ? 1.0 : -1.0;
+  vec3 n = unit(normal) * side;
 #if NORMAL_MAP
-  // Expanded first, turned second (`tbn-precedence`).
-  vec3 mapped = texture(normal_map, uv_of(NORMAL_MAP_)).xyz * 2.0 - 1.0;
-  mapped.xy *= factors.z;
-  float tangents = dot(tangent, tangent);  // 0: the mesh has none, so the map cannot be turned
-  if (tangents > 0.0) {
-    float side = gl_FrontFacing ? 1.0 : -1.0;
-    n = normalize(mapped.x * side * normalize(tangent) + mapped.y * side * normalize(bitangent) + mapped.z * n);
+  vec3 texel = texture(normal_map, uv_of(NORMAL_MAP_)).xyz;
+  mat3 frame = tangent_frame(n, side);
+  if (dot(frame[0], frame[0]) > 0.0) {  // 0: the mesh has no tangents, so the map cannot be turned
+#if MISTAKE_TBN_PRECEDENCE
+    n = normalize(frame * texel * 2.0 - 1.0);
+#else
+    // Expanded first, turned second (`tbn-precedence`).
+    n = unit(frame * ((texel * 2.0 - 1.0) * vec3(factors.z, factors.z, 1.0)));
+#endif
   }
 #endif
   return n;
@@ -57,15 +87,19 @@ Surface material_surface(vec4 base) {
   vec4 rough_metal = texture(roughness_map, uv_of(ROUGHNESS_MAP));
   float metal = rough_metal.b * factors.y;
   s.roughness = rough_metal.g * factors.x;
+  s.exponent = exponent_of(s.roughness);
+  s.metal = metal;
   s.albedo = base.rgb * (1.0 - metal);
-  s.f0 = mix(vec3(kDielectricF0), base.rgb, metal);
+  s.f0 = mix(vec3(dielectric_f0()), base.rgb, metal);
   s.emissive = texture(emissive_map, uv_of(EMISSIVE_MAP)).rgb * emissive;
   s.occlusion = 1.0 + factors.w * (texture(occlusion_map, uv_of(OCCLUSION_MAP)).r - 1.0);
-#if UNLIT && (FORWARD || MATERIAL_TARGETS > 1)
+#if UNLIT && EMISSION_KEPT
   // Shown as it is: nothing reflects, the colour itself shines. A layout without emission lights it instead.
   s.emissive = base.rgb;
   s.albedo = vec3(0.0);
   s.f0 = vec3(0.0);
+  s.metal = 1.0;  // a black metal: no dielectric highlight either
 #endif
+  s.ambient = ambient_of(s);
   return s;
 }

@@ -18,6 +18,10 @@ out vec3 bitangent;
 out vec2 uv0;
 out vec2 uv1;
 out vec4 colour;
+flat out uint object_id;
+flat out mat3 object_axes;
+// Passes of other programs test for this very depth.
+invariant gl_Position;
 
 vec4 instance_texel(int k) {
   int i = (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k;
@@ -31,10 +35,16 @@ void main() {
   mat3 normals = mat3(instance_texel(7).xyz, instance_texel(8).xyz, instance_texel(9).xyz);
   gl_Position = clip_from_object * vec4(vertex, 1.0);
   relative = vec4(vertex, 1.0) * relative_rows;
+#if MISTAKE_NONUNIFORM_SCALE_NORMAL
+  normal = vec4(normal_object, 0.0) * relative_rows;
+#else
   normal = normals * normal_object;
+#endif
   tangent = vec4(tangent_object.xyz, 0.0) * relative_rows;
   bitangent = tangent_object.w * cross(normal, tangent) * instance_texel(7).w;  // w: -1 where the object is mirrored
   uv0 = uv0_in;
   uv1 = uv1_in;
   colour = colour_in;
+  object_id = uint(instance_texel(8).w);
+  object_axes = normals;
 }

@@ -1,34 +1,81 @@
-// From a pixel and its stored depth to the surface point. One function per position.reconstruct.
+// The surface point: how it is stored, and how it comes back. One function per position.source and
+// position.reconstruct. Positions are relative to the camera, along the world's axes.
 #include "shared.h"
+
+// ---- from depth --------------------------------------------------------------------------------------------
+#if DEPTH_REVERSED
+const float kFarDepth = 0.0;
+float depth_from_far(float depth) { return depth; }
+float ndc_of_depth(float depth) { return depth; }
+#else
+const float kFarDepth = 1.0;
+float depth_from_far(float depth) { return 1.0 - depth; }
+float ndc_of_depth(float depth) { return depth * 2.0 - 1.0; }
+#endif
 
 // Distance along the view axis, world units.
 float range_from_depth(float depth) {
-  if (ray_forward.w > 0.5) return planes.x + depth * planes.w;  // orthographic
+  if (ray_forward.w > 0.5) return planes.y - depth_from_far(depth) * planes.w;  // orthographic
   // near far / (far - depth (far - near)), without its cancellation: 1 - depth is exact from 0.5 on. Near 1, far
   // 10000 at 9000 units: the other form is off by 5 units in float, this one by 0.001.
-  return planes.z / (planes.x + (1.0 - depth) * planes.w);
+  return planes.z / (planes.x + depth_from_far(depth) * planes.w);
 }
 
 vec2 ndc_of_pixel(vec2 frag_coord) { return frag_coord * viewport.zw * 2.0 - 1.0; }
 
-// Relative to the camera, world axes.
-vec3 position_by_view_ray(vec2 ndc, float depth) {
-  float range = range_from_depth(depth);
+vec3 position_by_view_ray(vec2 ndc, float range) {
   vec3 sideways = ndc.x * ray_right.xyz + ndc.y * ray_up.xyz;
   if (ray_forward.w > 0.5) return range * ray_forward.xyz + sideways;
   return range * (ray_forward.xyz + sideways);
 }
 
 // Through the float inverse of the float view-projection, as source 0 (pointlightfragment.glsl lines 23-24).
-vec3 position_by_inverse_viewproj(vec2 ndc, float depth) {
-  vec4 world = world_from_clip * vec4(ndc, depth * 2.0 - 1.0, 1.0);
+vec3 position_by_inverse_viewproj(mat4 inverse_viewproj, vec2 ndc, float depth) {
+  vec4 world = inverse_viewproj * vec4(ndc, ndc_of_depth(depth), 1.0);
   return world.xyz / world.w - camera_position.xyz;
 }
 
-vec3 position_of(vec2 ndc, float depth) {
-#if POSITION_RECONSTRUCT == RECONSTRUCT_VIEW_RAY
-  return position_by_view_ray(ndc, depth);
+#if VARYING_INVERSE
+in mat4 inverse_viewproj;  // source 0 takes the inverse in its vertex shader (pointlightvertex.glsl)
+#define INVERSE_VIEWPROJ inverse_viewproj
 #else
-  return position_by_inverse_viewproj(ndc, depth);
+#define INVERSE_VIEWPROJ world_from_clip
+#endif
+
+vec3 position_from_depth(vec2 ndc, float depth) {
+#if POSITION_RECONSTRUCT == RECONSTRUCT_VIEW_RAY
+  return position_by_view_ray(ndc, range_from_depth(depth));
+#else
+  return position_by_inverse_viewproj(INVERSE_VIEWPROJ, ndc, depth);
+#endif
+}
+
+// ---- from an attachment ------------------------------------------------------------------------------------
+const float kViewScale = 1.0e6;  // source 4's posScale
+
+vec3 to_view(vec3 relative) { return mat3(view_from_world) * relative; }
+vec3 from_view(vec3 view) { return view * mat3(view_from_world); }  // a rotation's inverse is its transpose
+
+vec4 pack_position(vec3 relative) {
+#if POSITION_SOURCE == POSITION_LINEAR32F
+  return vec4(dot(relative, ray_forward.xyz), 0.0, 0.0, 0.0);
+#elif POSITION_SOURCE == POSITION_WORLD16F || POSITION_SOURCE == POSITION_WORLD32F
+  return vec4(relative + camera_position.xyz, 1.0);
+#elif POSITION_SOURCE == POSITION_VIEW_SCALED
+  return vec4(to_view(relative) / kViewScale + 0.5, 1.0);
+#else
+  return vec4(to_view(relative), 1.0);
+#endif
+}
+
+vec3 unpack_position(vec4 stored, vec2 ndc) {
+#if POSITION_SOURCE == POSITION_LINEAR32F
+  return position_by_view_ray(ndc, stored.x);
+#elif POSITION_SOURCE == POSITION_WORLD16F || POSITION_SOURCE == POSITION_WORLD32F
+  return stored.xyz - camera_position.xyz;
+#elif POSITION_SOURCE == POSITION_VIEW_SCALED
+  return from_view((stored.xyz - 0.5) * kViewScale);
+#else
+  return from_view(stored.xyz);
 #endif
 }

@@ -14,8 +14,8 @@ void main() {
   Surface s = read_surface(pixel);
   int field = int(gl_FragCoord.x);
   if (field == 0) value = vec4(s.albedo, s.roughness);
-  else if (field == 1) value = vec4(s.normal, s.present ? 1.0 : 0.0);
-  else if (field == 2) value = vec4(s.position + camera_position.xyz, range_from_depth(texelFetch(gbuffer_depth, pixel, 0).r));
+  else if (field == 1) value = vec4(s.normal, read_depth(pixel) != kFarDepth ? 1.0 : 0.0);
+  else if (field == 2) value = vec4(s.position + camera_position.xyz, range_from_depth(read_depth(pixel)));
 #if SPLIT
   else if (field == 3) value = vec4(texelFetch(light_diffuse, pixel, 0).rgb, 0.0);
   else if (field == 4) value = vec4(texelFetch(light_specular, pixel, 0).rgb, 0.0);

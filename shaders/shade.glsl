@@ -11,6 +11,7 @@ struct Lighting {
 
 const float kPi = 3.14159265358979;
 
+// `range` is the light's own, whatever range.kind makes of its end.
 float attenuation(float d, float range) {
 #if ATTENUATION == ATTENUATION_NONE
   return 1.0;
@@ -33,14 +34,6 @@ float attenuation(float d, float range) {
 
 // ---- highlights: radiance per unit of light, N.L included where the model has it ---------------------------
 
-// Blinn-Phong exponent. 2/alpha^2 - 2 with alpha = roughness^2 matches the lobe of a microfacet surface
-// (Walter et al. 2007, "Microfacet models for refraction through rough surfaces", section 5.2).
-float exponent_of(float roughness) {
-  if (shading.x >= 0.0) return shading.x;
-  float alpha = roughness * roughness;
-  return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 1.0, 8192.0);
-}
-
 // A lobe from roughness is normalised, so that a wet patch glitters and dry earth stays matte: (e + 2) / 8 keeps the
 // reflected energy about constant (Akenine-Moeller et al. 2018, "Real-Time Rendering", section 9.8). A constant
 // exponent is the tutorials' and is left as they print it.
@@ -48,7 +41,7 @@ float lobe_scale(float exponent) { return shading.x >= 0.0 ? 1.0 : (exponent + 2
 
 // Base 0 with exponent 0 is left open by GLSL: the lab says 1, as C does.
 float lobe(float cosine, float exponent) {
-  return shading.y * lobe_scale(exponent) * (exponent > 0.0 ? pow(max(cosine, 0.0), exponent) : 1.0);
+  return lobe_scale(exponent) * (exponent > 0.0 ? pow(max(cosine, 0.0), exponent) : 1.0);
 }
 
 // Walter et al. 2007 (D), Heitz 2014 (correlated Smith visibility), Schlick 1994 (Fresnel); as glTF 2.0, appendix B.
@@ -71,12 +64,12 @@ Lighting reflected(Surface s, vec3 to_light, float n_dot_l) {
 #else
   vec3 to_eye = ray_forward.w > 0.5 ? -ray_forward.xyz : -normalize(s.position);
 #if SHADING_MODEL == MODEL_PHONG
-  return Lighting(vec3(n_dot_l), vec3(lobe(dot(reflect(-to_light, s.normal), to_eye), exponent_of(s.roughness))));
+  return Lighting(vec3(n_dot_l), s.f0 * lobe(dot(reflect(-to_light, s.normal), to_eye), s.exponent));
 #else
   vec3 half_way = normalize(to_light + to_eye);
   float n_dot_h = max(dot(s.normal, half_way), 0.0);
 #if SHADING_MODEL == MODEL_BLINN_PHONG
-  return Lighting(vec3(n_dot_l), vec3(lobe(n_dot_h, exponent_of(s.roughness))));
+  return Lighting(vec3(n_dot_l), s.f0 * lobe(n_dot_h, s.exponent));
 #else
   float roughness = max(s.roughness, 0.045);  // part of the model: below it the lobe is narrower than a float resolves
   float alpha = roughness * roughness;
@@ -100,20 +93,35 @@ Lighting shade(Surface s, Light light) {
   } else
 #endif
   {
+#if !MISTAKE_VOLUME_WITHOUT_DISTANCE_TEST
     if (d >= light.range) return none;
+#endif
     to_light /= max(d, 1e-6);  // a light on the surface must not divide by 0
-    strength = attenuation(d, light.range);
+    strength = attenuation(d, light.profile);
 #if LIGHT_KINDS
     if (dot(light.coefficients, vec3(1.0)) > 0.0) strength = 1.0 / dot(light.coefficients, vec3(1.0, d, d * d));
     // Between the cones the glTF extension's square of a linear ramp (KHR_lights_punctual, inner and outer angles).
     if (light.kind == LIGHT_SPOT) {
+#if SPOT_COS_POWER
+      strength *= pow(max(dot(-to_light, light.direction), 0.0), light.inner_cos);
+#else
       float edge = clamp((dot(-to_light, light.direction) - light.outer_cos) / max(light.inner_cos - light.outer_cos, 1e-4), 0.0, 1.0);
       strength *= edge * edge;
+#endif
     }
+#endif
+#if RANGE_WINDOWED
+    float x = d / light.range;
+    float window = clamp(1.0 - x * x * x * x, 0.0, 1.0);
+    strength *= window * window;
 #endif
   }
   float n_dot_l = dot(s.normal, to_light);
+#if MISTAKE_SPECULAR_UNGATED
+  n_dot_l = max(n_dot_l, 0.0);
+#else
   if (!(n_dot_l > 0.0)) return none;  // turned away: no diffuse, and no highlight either (`specular-ungated`)
+#endif
   Lighting r = reflected(s, to_light, n_dot_l);
   vec3 arriving = light.colour * strength;
   return Lighting(arriving * r.diffuse, arriving * r.specular);

@@ -16,7 +16,7 @@
 #define LIGHT_DIRECTIONAL 2
 
 // Instance records in the instance texture, RGBA32F texels: 0-3 columns of clip_from_object, 4-6 rows of
-// relative_from_object (3x4), 7-9 columns of the normals' matrix.
+// relative_from_object (3x4), 7-9 columns of the normals' matrix; 7.w: -1 where mirrored, 8.w: the object's number, from 1.
 #define INSTANCE_TEXELS 10
 
 #define RECORD_TEXTURE_WIDTH 512
@@ -38,6 +38,8 @@
 GBL_BLOCK(FrameBlock) {
   mat4 clip_from_relative;   // relative = world axes, origin at the camera
   mat4 world_from_clip;      // float inverse of the float view-projection: the pitfall's matrix
+  mat4 clip_from_world;      // the float view-projection
+  mat4 view_from_world;      // the rotation alone
   vec4 ray_forward;          // see ViewRays in camera.h; w = 1 if orthographic
   vec4 ray_right;
   vec4 ray_up;

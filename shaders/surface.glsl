@@ -1,4 +1,5 @@
 // A surface point, and how it is packed into the G-buffer and read back. One pack/unpack pair per layout.
+// STORED_X is defined for each attachment of the geometry pass, as its draw buffer.
 #include "shared.h"
 #include "normal_encoding.glsl"
 #include "colour.glsl"
@@ -8,57 +9,256 @@ struct Surface {
   vec3 position;     // relative to the camera, world axes
   vec3 normal;       // world, unit
   vec3 albedo;       // linear: base colour x (1 - metal)
-  vec3 f0;           // reflectance at normal incidence
+  vec3 f0;           // colour of the highlight: reflectance at normal incidence
+  float metal;       // 0..1
   float roughness;   // perceptual, 0..1
+  float exponent;    // of (Blinn-)Phong's highlight
+  vec3 ambient;      // share of ambient light that it sends back
   vec3 emissive;     // radiance
   float occlusion;   // of ambient light, 0..1
 };
 
-// The classic models know no reflectance of dielectrics: their highlight is shading.specular.
+// What is no metal reflects this much; in the classic models the factor of the highlight.
+float dielectric_f0() {
 #if SHADING_MODEL == MODEL_GGX
-const float kDielectricF0 = 0.04;
+  return 0.04;
 #else
-const float kDielectricF0 = 0.0;
+  return shading.y;
 #endif
+}
+
+// Base colour = albedo + the metal's part of F0.
+vec3 base_of(Surface s) { return max(s.albedo + s.f0 - dielectric_f0() * (1.0 - s.metal), vec3(0.0)); }
+
+// Ambient light comes from everywhere, so it is sent back by albedo and F0 alike: metals are dim, not black. The
+// classic models' highlight is no reflectance, so there only a metal's part of it counts.
+vec3 ambient_of(Surface s) {
+#if SHADING_MODEL == MODEL_GGX
+  return s.occlusion * (s.albedo + s.f0);
+#else
+  return s.occlusion * base_of(s);
+#endif
+}
+
+// Blinn-Phong exponent. 2/alpha^2 - 2 with alpha = roughness^2 matches the lobe of a microfacet surface
+// (Walter et al. 2007, "Microfacet models for refraction through rough surfaces", section 5.2).
+float exponent_from_roughness(float roughness) {
+  float alpha = roughness * roughness;
+  return clamp(2.0 / max(alpha * alpha, 1e-8) - 2.0, 1.0, 8192.0);
+}
+float roughness_from_exponent(float exponent) { return pow(2.0 / (exponent + 2.0), 0.25); }
+float exponent_of(float roughness) { return shading.x >= 0.0 ? shading.x : exponent_from_roughness(roughness); }
 
 // A layout without roughness: as if every surface were this rough.
 const float kRoughnessNotStored = 0.5;
 
-// ---- material: what each layout keeps; the rest is as unpack_material says ---------------------------------
-#if LAYOUT == LAYOUT_FLOAT32
-#define MATERIAL_TARGETS 3
+// What a texel of the material holds: numbers, or words of packed bits.
+#if MATERIAL_WORDS
+#define MATERIAL_TEXEL uvec4
+#define MATERIAL_SAMPLER usampler2D
 #else
-#define MATERIAL_TARGETS 1
+#define MATERIAL_TEXEL vec4
+#define MATERIAL_SAMPLER sampler2D
 #endif
 
-vec4 pack_material(Surface s) {
-#if LAYOUT == LAYOUT_ALBEDO_ROUGHNESS
-  return vec4(quantised8(coded_from_linear(s.albedo)), quantised8(vec3(s.roughness)).x);
-#elif LAYOUT == LAYOUT_NCLGL
-  return vec4(quantised8(coded_from_linear(s.albedo)), 1.0);
+// ---- bits --------------------------------------------------------------------------------------------------
+uint bits_of(float x, int bits) {
+  float levels = float((1 << bits) - 1);
+  return uint(floor(clamp(x, 0.0, 1.0) * levels + 0.5));
+}
+float float_of(uint word, int first, int bits) {
+  return float((word >> uint(first)) & uint((1 << bits) - 1)) / float((1 << bits) - 1);
+}
+
+// Three mantissas of 9 bits and an exponent of 5, as EXT_texture_shared_exponent, rounded by us.
+uint shared_exponent_of(vec3 c) {
+  c = clamp(c, vec3(0.0), vec3(65408.0));
+  float top = max(max(c.r, c.g), c.b);
+  int e = int(clamp(floor(log2(max(top, 1e-8))) + 16.0, 0.0, 31.0));
+  if (floor(top / exp2(float(e - 24)) + 0.5) > 511.0) ++e;
+  uvec3 m = uvec3(floor(c / exp2(float(e - 24)) + 0.5));
+  return m.r | m.g << 9 | m.b << 18 | uint(e) << 27;
+}
+vec3 colour_of_shared_exponent(uint w) {
+  return vec3(w & 511u, (w >> 9) & 511u, (w >> 18) & 511u) * exp2(float(int(w >> 27)) - 24.0);
+}
+
+// ---- material: what each layout keeps; the rest is as unpack_material says ---------------------------------
+vec3 coded8(vec3 linear) { return quantised8(coded_from_linear(linear)); }
+float kept8(float x) { return quantised8(vec3(x)).x; }
+
+// The exponent that a layout with one stores. GGX reads it back as a roughness.
+float stored_exponent(Surface s) {
+#if SHADING_MODEL == MODEL_GGX
+  return exponent_from_roughness(s.roughness);
 #else
-  return vec4(s.albedo, s.roughness);
+  return s.exponent;
 #endif
 }
-vec4 pack_reflectance(Surface s) { return vec4(s.f0, s.occlusion); }
-vec4 pack_emission(Surface s) { return vec4(s.emissive, 1.0); }
+void set_exponent(inout Surface s, float exponent) {
+  s.exponent = exponent;
+  s.roughness = roughness_from_exponent(exponent);
+}
 
-void unpack_material(vec4 stored, inout Surface s) {
-  s.f0 = vec3(kDielectricF0);
+#if THIN
+// Deferred lighting: what the light passes need, and nothing else.
+vec4 pack_material(Surface s) {
+#if LAYOUT == LAYOUT_FLOAT32
+  return vec4(s.f0, s.roughness);
+#else
+  return quantised8(vec4(s.f0, s.roughness));
+#endif
+}
+#elif LAYOUT == LAYOUT_COMPACT || LAYOUT == LAYOUT_COMPACT_METAL
+// The word of an encoding that shares the texel stands in bits 0-27.
+uvec4 pack_material(Surface s) {
+#if LAYOUT == LAYOUT_COMPACT
+  vec3 c = coded_from_linear(s.albedo);
+#else
+  vec3 c = coded_from_linear(base_of(s));
+#endif
+  uint rough = bits_of(s.roughness, 12);
+  uint word = 0u;
+#if NORMAL_IN_MATERIAL
+  word = normal_word(s.normal);
+#endif
+  return uvec4(word | (rough >> 8) << 28, bits_of(c.r, 8) | bits_of(c.g, 8) << 8 | bits_of(c.b, 8) << 16 | (rough & 255u) << 24, 0u, 0u);
+}
+#elif LAYOUT == LAYOUT_EXACT
+uvec4 pack_material(Surface s) {
+  vec3 c = coded_from_linear(base_of(s));
+  return uvec4(bits_of(c.r, 12) | bits_of(c.g, 12) << 12 | bits_of(s.metal, 8) << 24,
+               bits_of(c.b, 12) | bits_of(s.roughness, 12) << 12 | bits_of(s.occlusion, 8) << 24, 0u, 0u);
+}
+#else
+vec4 pack_material(Surface s) {
+#if LAYOUT == LAYOUT_FLOAT32
+  return vec4(s.albedo, s.roughness);
+#elif LAYOUT == LAYOUT_ALBEDO_ROUGHNESS
+  return vec4(coded8(s.albedo), kept8(s.roughness));
+#elif LAYOUT == LAYOUT_LEARNOPENGL
+  return vec4(coded8(s.albedo), kept8(max(max(s.f0.r, s.f0.g), s.f0.b)));
+#else
+  return vec4(coded8(s.albedo), 1.0);
+#endif
+}
+#endif
+
+#ifdef STORED_REFLECTANCE
+MATERIAL_TEXEL pack_reflectance(Surface s) {
+#if LAYOUT == LAYOUT_COMPACT_METAL
+  vec3 c = coded_from_linear(s.emissive);
+  return uvec4(bits_of(s.metal, 6) | bits_of(s.occlusion, 6) << 6 | bits_of(c.r, 7) << 12 | bits_of(c.g, 7) << 19 | bits_of(c.b, 6) << 26, 0u, 0u, 0u);
+#elif LAYOUT == LAYOUT_FLOAT32
+  return vec4(s.f0, s.occlusion);
+#elif LAYOUT == LAYOUT_STEREO
+  return quantised8(vec4(s.f0, s.roughness));
+#elif LAYOUT == LAYOUT_VIEWSPACE
+  return quantised8(vec4(s.f0, stored_exponent(s) / 256.0));
+#else
+  return vec4(quantised8(s.f0), 1.0);
+#endif
+}
+#endif
+
+#ifdef STORED_EMISSION
+MATERIAL_TEXEL pack_emission(Surface s) {
+#if LAYOUT == LAYOUT_EXACT
+  return uvec4(shared_exponent_of(s.emissive), 0u, 0u, 0u);
+#elif LAYOUT == LAYOUT_STEREO
+  return vec4(shading.z * s.ambient + s.emissive, 0.0);
+#else
+  return vec4(s.emissive, s.metal);
+#endif
+}
+#endif
+
+#ifdef STORED_MATERIAL
+// The texels of a layout's attachments.
+struct Stored {
+  MATERIAL_TEXEL material;
+#ifdef STORED_REFLECTANCE
+  MATERIAL_TEXEL reflectance;
+#endif
+#ifdef STORED_EMISSION
+  MATERIAL_TEXEL emission;
+#endif
+#ifdef STORED_AMBIENT
+  vec4 ambient;
+#endif
+#ifdef STORED_SHININESS
+  vec4 shininess;
+#endif
+};
+
+void unpack_material(Stored t, inout Surface s) {
+  s.albedo = vec3(0.0);
+  s.f0 = vec3(dielectric_f0());
+  s.metal = 0.0;
   s.emissive = vec3(0.0);
   s.occlusion = 1.0;
-#if LAYOUT == LAYOUT_FLOAT32
-  s.albedo = stored.rgb;
-  s.roughness = stored.a;
-#else
-  s.albedo = linear_from_coded(stored.rgb);
-#if LAYOUT == LAYOUT_ALBEDO_ROUGHNESS
-  s.roughness = stored.a;
-#else
   s.roughness = kRoughnessNotStored;
+#if THIN
+  s.f0 = t.material.rgb;
+  s.roughness = t.material.a;
+#elif LAYOUT == LAYOUT_FLOAT32
+  s.albedo = t.material.rgb;
+  s.roughness = t.material.a;
+  s.f0 = t.reflectance.rgb;
+  s.occlusion = t.reflectance.a;
+  s.emissive = t.emission.rgb;
+  s.metal = t.emission.a;
+#elif MATERIAL_WORDS
+#if LAYOUT == LAYOUT_EXACT
+  vec3 base = linear_from_coded(vec3(float_of(t.material.x, 0, 12), float_of(t.material.x, 12, 12), float_of(t.material.y, 0, 12)));
+  s.metal = float_of(t.material.x, 24, 8);
+  s.roughness = float_of(t.material.y, 12, 12);
+  s.occlusion = float_of(t.material.y, 24, 8);
+  s.emissive = colour_of_shared_exponent(t.emission.x);
+#else
+  vec3 base = linear_from_coded(vec3(float_of(t.material.y, 0, 8), float_of(t.material.y, 8, 8), float_of(t.material.y, 16, 8)));
+  s.roughness = float((t.material.x >> 28) << 8 | t.material.y >> 24) / 4095.0;
+#if LAYOUT == LAYOUT_COMPACT_METAL
+  s.metal = float_of(t.reflectance.x, 0, 6);
+  s.occlusion = float_of(t.reflectance.x, 6, 6);
+  s.emissive = linear_from_coded(vec3(float_of(t.reflectance.x, 12, 7), float_of(t.reflectance.x, 19, 7), float_of(t.reflectance.x, 26, 6)));
+#endif
+#endif
+  s.albedo = base * (1.0 - s.metal);
+  s.f0 = mix(s.f0, base, s.metal);
+#else
+  s.albedo = linear_from_coded(t.material.rgb);
+#if LAYOUT == LAYOUT_ALBEDO_ROUGHNESS
+  s.roughness = t.material.a;
+#elif LAYOUT == LAYOUT_LEARNOPENGL
+  s.f0 = vec3(t.material.a);
+#elif LAYOUT != LAYOUT_NCLGL
+  s.f0 = t.reflectance.rgb;
+#if LAYOUT == LAYOUT_STEREO
+  s.roughness = t.reflectance.a;
+#endif
+#endif
+#endif
+  s.exponent = exponent_of(s.roughness);
+#if LAYOUT == LAYOUT_VIEWSPACE && !THIN
+  set_exponent(s, t.reflectance.a * 256.0);
+#elif LAYOUT == LAYOUT_OBJECTID && !THIN
+  set_exponent(s, t.shininess.r);
+#endif
+#if defined(STORED_AMBIENT)
+  s.ambient = linear_from_coded(t.ambient.rgb);
+#else
+  s.ambient = ambient_of(s);
+#endif
+#if LAYOUT == LAYOUT_STEREO && !THIN
+  // Ambient light and emission are in the sum already, or stand beside it.
+  s.ambient = vec3(0.0);
+#ifdef STORED_EMISSION
+  s.emissive = t.emission.rgb;
 #endif
 #endif
 }
+#endif
 
 // ---- normal ----------------------------------------------------------------------------------------------
 #if NORMAL_ENCODING == NORMAL_OCT16

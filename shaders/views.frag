@@ -1,6 +1,9 @@
 // One picture per view, for the eye: display-coded RGBA8. RAW shows the stored codes undecoded.
 #include "gbuffer_read.glsl"
 
+// Views show where the depth says a surface is, whatever the lighting takes for one.
+bool shown_present(ivec2 texel) { return read_depth(texel) != kFarDepth; }
+
 uniform sampler2D lit;
 uniform sampler2D counts;
 #if SPLIT
@@ -17,10 +20,14 @@ vec3 shown_surface(Surface s, ivec2 texel) {
 #elif VIEW == VIEW_NORMAL
   return s.normal * 0.5 + 0.5;
 #elif VIEW == VIEW_DEPTH
-  float range = range_from_depth(texelFetch(gbuffer_depth, texel, 0).r);
+  float range = range_from_depth(read_depth(texel));
   return vec3(clamp((range - view_range.x) / (view_range.y - view_range.x), 0.0, 1.0));
 #elif VIEW == VIEW_MATERIAL
+#if MATERIAL_VIEW == MATERIAL_VIEW_ROUGHNESS
   return vec3(s.roughness);
+#else
+  return clamp(s.f0, 0.0, 1.0);
+#endif
 #elif VIEW == VIEW_DIFFUSE_LIGHT && SPLIT
   return display(texelFetch(light_diffuse, texel, 0).rgb, shading.w);
 #elif VIEW == VIEW_SPECULAR_LIGHT && SPLIT
@@ -34,15 +41,31 @@ vec3 shown_surface(Surface s, ivec2 texel) {
 #endif
 }
 
+// Words are shown by three of their bytes.
+#ifdef STORED_MATERIAL
+#if MATERIAL_WORDS
+vec4 raw_texel(uvec4 t) { return vec4(vec3(t.y & 255u, (t.y >> 8) & 255u, (t.y >> 16) & 255u) / 255.0, 1.0); }
+#else
+vec4 raw_texel(vec4 t) { return t; }
+#endif
+#endif
+
 vec4 raw(ivec2 texel) {
-#if VIEW == VIEW_ALBEDO
-  return vec4(texelFetch(gbuffer_material, texel, 0).rgb, 1.0);
-#elif VIEW == VIEW_MATERIAL
-  return vec4(texelFetch(gbuffer_material, texel, 0).aaa, 1.0);
-#elif VIEW == VIEW_NORMAL
+#if VIEW == VIEW_ALBEDO && defined(STORED_MATERIAL)
+  return vec4(raw_texel(texelFetch(gbuffer_material, texel, 0)).rgb, 1.0);
+#elif VIEW == VIEW_MATERIAL && defined(STORED_REFLECTANCE) && !MATERIAL_WORDS
+  return texelFetch(gbuffer_reflectance, texel, 0);
+#elif VIEW == VIEW_MATERIAL && defined(STORED_MATERIAL)
+  return vec4(raw_texel(texelFetch(gbuffer_material, texel, 0)).aaa, 1.0);
+#elif VIEW == VIEW_NORMAL && defined(STORED_NORMAL)
   return raw_normal(texelFetch(gbuffer_normal, texel, 0));
+#elif VIEW == VIEW_NORMAL && NORMAL_IN_MATERIAL
+  uint w = texelFetch(gbuffer_material, texel, 0).x;
+  return vec4(vec2(w & 16383u, (w >> 14) & 16383u) / 16383.0, 0.0, 1.0);
+#elif VIEW == VIEW_POSITION && defined(STORED_POSITION)
+  return vec4(texelFetch(gbuffer_position, texel, 0).rgb, 1.0);
 #elif VIEW == VIEW_DEPTH || VIEW == VIEW_POSITION
-  return vec4(texelFetch(gbuffer_depth, texel, 0).rrr, 1.0);
+  return vec4(vec3(read_depth(texel)), 1.0);
 #elif VIEW == VIEW_DIFFUSE_LIGHT && SPLIT
   return vec4(texelFetch(light_diffuse, texel, 0).rgb, 1.0);
 #elif VIEW == VIEW_SPECULAR_LIGHT && SPLIT
@@ -64,6 +87,6 @@ void main() {
   picture = vec4(clamp(texelFetch(lit, texel, 0).rgb, 0.0, 1.0), 1.0);
 #else
   Surface s = read_surface(texel);
-  picture = vec4(s.present ? shown_surface(s, texel) : sky_colour, 1.0);
+  picture = vec4(shown_present(texel) ? shown_surface(s, texel) : sky_colour, 1.0);
 #endif
 }

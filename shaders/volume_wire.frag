@@ -8,6 +8,6 @@ layout(location = 0) out vec4 line;
 
 void main() {
   float depth = texelFetch(gbuffer_depth, ivec2(gl_FragCoord.xy), 0).r;
-  bool hidden = depth < 1.0 && dot(relative, ray_forward.xyz) > range_from_depth(depth);
+  bool hidden = depth != kFarDepth && dot(relative, ray_forward.xyz) > range_from_depth(depth);
   line = vec4(colour / max(max(colour.r, colour.g), colour.b), hidden ? 0.25 : 0.8);
 }

@@ -35,7 +35,7 @@ std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
   std::string text = fmt::format("pixel {}, {}", p.pixel.x, p.pixel.y);
   if (!p.surface) return text + "   no surface: the background";
   text += fmt::format("   albedo {}", three(p.albedo, 2));
-  if (facts(f.settings.layout).stores_roughness)
+  if (facts(f.settings.layout).stores_roughness())
     text += fmt::format("   roughness {:.2f} {}", p.roughness, roughness_word(p.roughness));
   text += fmt::format("   normal {} {}   {:.1f} units away", three(p.normal, 2), facing(p.normal), p.range);
   text +=

@@ -12,6 +12,7 @@ GLuint create_name(Kind kind) {
     case Kind::buffer: glGenBuffers(1, &id); break;
     case Kind::vertex_array: glGenVertexArrays(1, &id); break;
     case Kind::framebuffer: glGenFramebuffers(1, &id); break;
+    case Kind::renderbuffer: glGenRenderbuffers(1, &id); break;
     case Kind::program: id = glCreateProgram(); break;
     case Kind::query: glGenQueries(1, &id); break;
   }
@@ -25,6 +26,7 @@ void delete_name(Kind kind, GLuint id) {
     case Kind::buffer: glDeleteBuffers(1, &id); break;
     case Kind::vertex_array: glDeleteVertexArrays(1, &id); break;
     case Kind::framebuffer: glDeleteFramebuffers(1, &id); break;
+    case Kind::renderbuffer: glDeleteRenderbuffers(1, &id); break;
     case Kind::program: glDeleteProgram(id); break;
     case Kind::query: glDeleteQueries(1, &id); break;
   }

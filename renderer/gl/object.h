@@ -6,7 +6,7 @@
 
 namespace gbl::gl {
 
-enum class Kind { texture, buffer, vertex_array, framebuffer, program, query };
+enum class Kind { texture, buffer, vertex_array, framebuffer, renderbuffer, program, query };
 
 GLuint create_name(Kind);
 void delete_name(Kind, GLuint);

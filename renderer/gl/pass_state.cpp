@@ -29,9 +29,11 @@ void apply(const PassState& s) {
   glBlendEquation(GL_FUNC_ADD);
   if (s.blend == Blend::alpha)
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  else if (s.blend == Blend::add_colour)
+    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
   else
     glBlendFunc(GL_ONE, GL_ONE);
-  glColorMask(true, true, true, true);
+  glColorMask(s.colour_write, s.colour_write, s.colour_write, s.colour_write);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
   glDisable(GL_COLOR_LOGIC_OP);

@@ -4,12 +4,13 @@ namespace gbl::gl {
 
 enum class DepthTest { off, less, less_equal, equal, greater, greater_equal };
 enum class Cull { off, back, front };
-enum class Blend { off, add, alpha };
+enum class Blend { off, add, add_colour, alpha };  // add_colour: alpha stays
 enum class Winding { counter_clockwise, clockwise };
 
 struct PassState {
   DepthTest depth = DepthTest::off;
   bool depth_write = false;
+  bool colour_write = true;
   Cull cull = Cull::off;
   Blend blend = Blend::off;
   bool depth_clamp = false;  // needs Feature::depth_clamp

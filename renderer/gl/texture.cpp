@@ -79,6 +79,42 @@ Texture make_image(const ImageDesc& d) {
   return t;
 }
 
+namespace {
+
+void require_complete(std::string_view label) {
+  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw Error(ExitCode::no_gl, label, fmt::format("the driver refuses these attachments together (0x{:x})", status),
+                "choose another layout or format");
+}
+
+}  // namespace
+
+Renderbuffer make_samples(glm::ivec2 size, Format format, int samples) {
+  Renderbuffer buffer = Renderbuffer::make();
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, gl_format(format).internal, size.x, size.y);
+  return buffer;
+}
+
+Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colours, const Renderbuffer& depth,
+                                    std::string_view label) {
+  Framebuffer fbo = Framebuffer::make();
+  glBindFramebuffer(GL_FRAMEBUFFER, fbo.id());
+  std::vector<GLenum> buffers;
+  for (const Renderbuffer* colour : colours) {
+    const GLenum slot = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(buffers.size());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, slot, GL_RENDERBUFFER, colour->id());
+    buffers.push_back(slot);
+  }
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+  glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
+  set_label(GL_FRAMEBUFFER, fbo.id(), label);
+  require_complete(label);
+  return fbo;
+}
+
 Framebuffer make_framebuffer(const FramebufferDesc& d) {
   Framebuffer fbo = Framebuffer::make();
   glBindFramebuffer(GL_FRAMEBUFFER, fbo.id());
@@ -93,12 +129,8 @@ Framebuffer make_framebuffer(const FramebufferDesc& d) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, slot, GL_TEXTURE_2D, d.depth->id(), 0);
   }
   glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
-  const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   set_label(GL_FRAMEBUFFER, fbo.id(), d.label);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  if (status != GL_FRAMEBUFFER_COMPLETE)
-    throw Error(ExitCode::no_gl, d.label, fmt::format("the driver refuses these attachments together (0x{:x})", status),
-                "choose another layout or format");
+  require_complete(d.label);
   return fbo;
 }
 

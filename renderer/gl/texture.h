@@ -52,6 +52,12 @@ struct FramebufferDesc {
 };
 Framebuffer make_framebuffer(const FramebufferDesc&);  // Error if the driver refuses the combination
 
+// Several samples per pixel, to draw into and resolve from. Error if the driver refuses the combination.
+using Renderbuffer = Object<Kind::renderbuffer>;
+Renderbuffer make_samples(glm::ivec2 size, Format, int samples);
+Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colours, const Renderbuffer& depth,
+                                    std::string_view label);
+
 void bind_texture(int unit, const Texture&);
 
 // Before texels are taken from or put into memory: rows without gaps, and memory is memory, not a buffer object.

@@ -4,10 +4,26 @@
 
 namespace gbl {
 
+namespace {
+
+const gl::Framebuffer& clear_counts(const gl::Framebuffer& counts) {
+  constexpr float kZero[4] = {};
+  glBindFramebuffer(GL_FRAMEBUFFER, counts.id());
+  glColorMask(true, true, true, true);
+  glDisable(GL_SCISSOR_TEST);
+  glClearBufferfv(GL_COLOR, 0, kZero);
+  return counts;
+}
+
+}  // namespace
+
 void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& targets, bool lit_too) {
   const Frame frame = frame_of(s, scene, targets);
   const gl::PassScope scope(targets.timers, "count");
-  draw_lighting(frame, LightOutput::count, targets.counts().framebuffer);
+  if (shading_of(s.lights.method) == Shading::forward)
+    draw_forward(frame, LightOutput::count, clear_counts(targets.counts_with_depth()));
+  else
+    draw_lighting(frame, LightOutput::count, targets.counts().framebuffer);
   begin_drawing(targets.counts_lit().framebuffer, s.size, {});
   if (lit_too) {
     bind_gbuffer(frame);
@@ -33,7 +49,7 @@ void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& ta
   if (!targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
   gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
+  defines.push_back({"SPLIT", frame.split()});
   const gl::Program& program = programs_.get("fullscreen.vert", "probe.frag", defines);
   Canvas& canvas = targets.probe();
   begin_drawing(canvas.framebuffer, canvas.texture.size, {});

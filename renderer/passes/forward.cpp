@@ -1,25 +1,66 @@
-// Transparent objects over the lit picture, farthest first. A G-buffer holds one surface per pixel, so what can be
-// seen through has to be shaded apart (source 0 says so and leaves it out).
-#include "renderer/passes/objects.h"
+// Forward shading of opaque surfaces, the other side of every tutorial's first claim: the light loop runs while the
+// geometry is drawn. In one pass (hidden fragments pay, too), after a depth pass, or one pass per light.
+#include "renderer/passes/forward.h"
+
+#include "renderer/passes/lighting.h"
 
 namespace gbl {
+namespace {
 
-int draw_forward(const Frame& frame) {
-  Targets& t = frame.targets;
-  Canvas& composed = t.composed();
-  const glm::ivec2 size = frame.settings.size;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer(Pass::combine).id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, composed.framebuffer.id());
-  glDisable(GL_SCISSOR_TEST);
-  glColorMask(true, true, true, true);
-  glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  const std::vector<ObjectDraw> draws = prepare_objects(frame, true);
-  begin_drawing(composed.framebuffer, size, {.depth = gl::DepthTest::less, .blend = gl::Blend::alpha});
+using gl::DepthTest;
+
+int draw_depth(const Frame& frame, const std::vector<ObjectDraw>& draws, const gl::Framebuffer& into) {
+  begin_drawing(into, frame.settings.size,
+                depth_tested(frame, DepthTest::less, {.depth_write = true, .colour_write = false}));
+  return draw_objects(frame, draws, "depth_only.frag", frame.surface_defines());
+}
+
+int light_count(const Frame& frame) { return static_cast<int>(frame.targets.lights.size()); }
+
+int draw_visible(const Frame& frame, const std::vector<ObjectDraw>& draws, const gl::Framebuffer& into,
+                 const ShadedDraw& draw, gl::Blend blend) {
+  begin_drawing(into, frame.settings.size, depth_tested(frame, DepthTest::equal, {.blend = blend}));
+  return draw_shaded_objects(frame, draws, draw);
+}
+
+int draw_light_by_light(const Frame& frame, const std::vector<ObjectDraw>& draws, const gl::Framebuffer& into,
+                        LightOutput output) {
+  int calls = 0;
+  if (output == LightOutput::sum) calls += draw_visible(frame, draws, into, {output, {0, 0}, true}, gl::Blend::off);
+  for (int i = 0; i < light_count(frame); ++i)
+    calls += draw_visible(frame, draws, into, {output, {i, i + 1}, false}, gl::Blend::add_colour);
+  return calls;
+}
+
+}  // namespace
+
+int draw_shaded_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const ShadedDraw& draw) {
   bind_lights(frame);
-  gl::Defines defines = frame.defines();
-  defines.push_back({"FORWARD", 1});
-  t.composed_valid = true;
-  return draw_objects(frame, draws, "forward.frag", defines);
+  gl::Defines defines = frame.shaded_defines();
+  defines.push_back({"OUTPUT", static_cast<int>(draw.output)});
+  const glm::ivec2 span = glm::min(draw.lights, glm::ivec2(light_count(frame)));
+  return draw_objects(frame, draws, "forward.frag", defines, [&](const gl::Program& program) {
+    glUniform2i(program.uniform("light_span"), span.x, span.y);
+    glUniform1f(program.uniform("ambient_share"), draw.ambient ? 1 : 0);
+  });
+}
+
+int draw_forward(const Frame& frame, LightOutput output, const gl::Framebuffer& into) {
+  const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
+  const LightMethod method = frame.settings.lights.method;
+  if (method == LightMethod::forward) {
+    const gl::Blend blend = output == LightOutput::count ? gl::Blend::add : gl::Blend::off;
+    begin_drawing(into, frame.settings.size,
+                  depth_tested(frame, DepthTest::less, {.depth_write = true, .blend = blend}));
+    clear_depth(frame);
+    return draw_shaded_objects(frame, draws, {.output = output});
+  }
+  begin_drawing(into, frame.settings.size, depth_tested(frame, DepthTest::less, {.depth_write = true}));
+  clear_depth(frame);
+  const int calls = draw_depth(frame, draws, into);
+  if (method == LightMethod::forward_multipass) return calls + draw_light_by_light(frame, draws, into, output);
+  return calls + draw_visible(frame, draws, into, {.output = output},
+                              output == LightOutput::count ? gl::Blend::add : gl::Blend::off);
 }
 
 }  // namespace gbl

@@ -5,6 +5,7 @@
 
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/passes.h"
+#include "renderer/resolve.h"
 
 namespace gbl {
 namespace {
@@ -20,9 +21,32 @@ bool has_transparent(const Scene& scene) {
 
 }  // namespace
 
+DepthRuns Frame::depth_runs() const {
+  return settings.depth.format == DepthFormat::d32f_reversed ? DepthRuns::reversed : DepthRuns::standard;
+}
+
+bool Frame::split() const { return targets.texture(Stores::diffuse_light) != nullptr; }
+
+bool Frame::mistaken(const char* id) const { return settings.mistakes.count(id) > 0; }
+
 gl::Defines Frame::defines() const {
   gl::Defines d = gbuffer_defines(settings);
-  d.push_back({"LIGHT_KINDS", targets.light_kinds});
+  append_light_defines(d, settings, targets.light_kinds);
+  const bool inverse_in_vertex_shader = settings.position.reconstruct == PositionReconstruct::inverse_viewproj_varying;
+  d.push_back({"VARYING_INVERSE", inverse_in_vertex_shader});
+  return d;
+}
+
+gl::Defines Frame::surface_defines() const {
+  gl::Defines d = gbuffer_defines(settings);
+  append_surface_defines(d, settings, facts(settings.layout).keeps_emission);
+  return d;
+}
+
+gl::Defines Frame::shaded_defines() const {
+  gl::Defines d = gbuffer_defines(settings);
+  append_surface_defines(d, settings, true);
+  append_light_defines(d, settings, targets.light_kinds);
   return d;
 }
 
@@ -30,12 +54,22 @@ gl::Defines Frame::defines() const {
 // frame's facts anew: they are a few hundred bytes.
 Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targets) {
   const double aspect = double(s.size.x) / s.size.y;
-  Frame frame{s, scene, targets, programs_, shapes_, aspect, clip_from_relative(s.camera, aspect)};
+  targets.drawn = resolve(s, scene.scene()).settings;
+  Frame frame{targets.drawn,
+              scene,
+              targets,
+              programs_,
+              shapes_,
+              aspect,
+              clip_from_relative(s.camera, aspect, DepthRuns::standard)};
+  frame.clip_from_relative = clip_from_relative(s.camera, aspect, frame.depth_runs());
   upload_frame_block(frame);
   return frame;
 }
 
-FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& targets) {
+FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targets& targets) {
+  Resolved resolved = resolve(asked, scene.scene());
+  const Settings& s = resolved.settings;
   targets.prepare(s);
   targets.lights = lights_of(s, scene.scene());
   targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = false;
@@ -48,23 +82,27 @@ FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& 
   const Frame frame = frame_of(s, scene, targets);
   upload_lights(frame);
   FrameReport report;
-  {
-    const gl::PassScope scope(targets.timers, "geometry");
-    report.draw_calls += draw_geometry(frame);
+  const auto pass = [&](const char* name, auto draw) {
+    const gl::PassScope scope(targets.timers, name);
+    report.draw_calls += draw();
+  };
+  const gl::Framebuffer& lit = targets.framebuffer(Pass::combine);
+  const Shading shading = shading_of(s.lights.method);
+  if (shading == Shading::forward) {
+    pass("forward", [&] { return draw_background(frame, lit) + draw_forward(frame, LightOutput::sum, lit); });
+  } else {
+    pass("geometry", [&] { return draw_geometry(frame); });
+    pass("lighting", [&] { return draw_lighting(frame, output_of(s), targets.framebuffer(Pass::lighting)); });
+    if (shading == Shading::deferred)
+      pass("combine", [&] { return draw_combine(frame); });
+    else
+      pass("combine", [&] { return draw_materials_over_light(frame); });
   }
-  {
-    const gl::PassScope scope(targets.timers, "lighting");
-    report.draw_calls += draw_lighting(frame, output_of(s), targets.framebuffer(Pass::lighting));
-  }
-  {
-    const gl::PassScope scope(targets.timers, "combine");
-    report.draw_calls += draw_combine(frame);
-  }
-  if (has_transparent(scene.scene())) {
-    const gl::PassScope scope(targets.timers, "forward");
-    report.draw_calls += draw_forward(frame);
-  }
+  if (s.antialias == Antialias::edge_blur) pass("antialias", [&] { return draw_edge_blur(frame); });
+  if (has_transparent(scene.scene())) pass("transparent", [&] { return draw_transparent(frame); });
   report.size = s.size;
+  report.drawn = s;
+  report.choices = std::move(resolved.notes);
   report.time_source = gl::time_source();
   report.gbuffer_bytes_per_pixel = gbuffer_bytes_per_pixel(s);
   report.accumulation_bytes_per_pixel = accumulation_bytes_per_pixel(s);

@@ -21,8 +21,14 @@ struct Frame {
   double aspect;
   glm::dmat4 clip_from_relative;
 
-  // Of every program that reads the G-buffer or the lights.
-  gl::Defines defines() const;
+  DepthRuns depth_runs() const;
+  bool split() const;  // are diffuse and specular light kept apart?
+  bool mistaken(const char* id) const;
+  glm::vec3 background() const;  // linear; the sky's is a function of direction, in the shader
+
+  gl::Defines defines() const;          // of every program that reads the G-buffer or the lights
+  gl::Defines surface_defines() const;  // of those that draw objects into the G-buffer
+  gl::Defines shaded_defines() const;   // of those that shade objects as they draw them
 };
 
 struct ViewOptions {

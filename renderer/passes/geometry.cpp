@@ -1,33 +1,47 @@
-// Opaque and masked objects into the G-buffer, nearest first.
+// Opaque and masked objects into the G-buffer; and deferred lighting's second time over them.
 #include "renderer/passes/objects.h"
 
 namespace gbl {
 namespace {
 
-void clear_gbuffer(const Targets& targets) {
+// With background.skip=none the clear colour of every attachment is what will be lit, as in the sources.
+void clear_gbuffer(const Frame& frame) {
   int buffer = 0;
-  for (const Attachment& a : targets.attachments()) {
-    if (a.written_by != Pass::geometry) continue;
-    constexpr float kZero[4] = {}, kFarthest = 1;
+  const glm::vec4 clear =
+      frame.settings.background.skip == BackgroundSkip::none ? glm::vec4(frame.background(), 1) : glm::vec4(0);
+  for (const Attachment& a : frame.targets.attachments()) {
     constexpr GLuint kZeroCodes[4] = {};
-    switch (row(a.format).numeric) {
-      case Numeric::depth: glClearBufferfv(GL_DEPTH, 0, &kFarthest); break;
-      case Numeric::uint: glClearBufferuiv(GL_COLOR, buffer++, kZeroCodes); break;
-      default: glClearBufferfv(GL_COLOR, buffer++, kZero); break;
-    }
+    if (a.written_by != Pass::geometry || a.stores == Stores::depth) continue;
+    if (row(a.format).numeric == Numeric::uint)
+      glClearBufferuiv(GL_COLOR, buffer++, kZeroCodes);
+    else
+      glClearBufferfv(GL_COLOR, buffer++, &(a.stores == Stores::light ? glm::vec4(0) : clear)[0]);
   }
+  clear_depth(frame);
 }
 
 }  // namespace
 
 int draw_geometry(const Frame& frame) {
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
-  begin_drawing(frame.targets.framebuffer(Pass::geometry), frame.settings.size,
-                {.depth = gl::DepthTest::less, .depth_write = true, .cull = gl::Cull::back});
-  clear_gbuffer(frame.targets);
-  gl::Defines defines = gbuffer_defines(frame.settings);
-  defines.push_back({"FORWARD", 0});
-  return draw_objects(frame, draws, "geometry.frag", defines);
+  Targets& t = frame.targets;
+  begin_drawing(t.geometry_framebuffer(), frame.settings.size,
+                depth_tested(frame, gl::DepthTest::less,
+                             {.depth_write = true,
+                              .blend = frame.mistaken("blend-on-in-fill") ? gl::Blend::alpha : gl::Blend::off}));
+  clear_gbuffer(frame);
+  const int calls = draw_objects(frame, draws, "geometry.frag", frame.surface_defines());
+  t.resolve_samples();
+  return calls;
+}
+
+int draw_materials_over_light(const Frame& frame) {
+  const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
+  const gl::Framebuffer& lit = frame.targets.framebuffer(Pass::combine);
+  int calls = draw_background(frame, lit);
+  begin_drawing(lit, frame.settings.size, depth_tested(frame, gl::DepthTest::equal, {}));
+  bind_light_sums(frame);
+  return calls + draw_objects(frame, draws, "light_prepass.frag", frame.surface_defines());
 }
 
 }  // namespace gbl

@@ -1,6 +1,9 @@
 #include "renderer/passes/lighting.h"
 
 namespace gbl {
+namespace {
+constexpr float kNothing[4] = {};
+}
 
 gl::Defines LightingPass::defines() const {
   gl::Defines d = frame.defines();
@@ -11,8 +14,11 @@ gl::Defines LightingPass::defines() const {
 int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer& into) {
   begin_drawing(into, frame.settings.size, {.blend = gl::Blend::add});
   const int targets = output == LightOutput::split ? 2 : 1;
-  constexpr float kDark[] = {0, 0, 0, 0};
-  for (int i = 0; i < targets; ++i) glClearBufferfv(GL_COLOR, i, kDark);
+  const float grey = frame.mistaken("light-target-grey-clear") ? 0.2f : 0;
+  const float clear[] = {grey, grey, grey, 0};
+  const bool begun = output == LightOutput::sum && sum_begins_in_geometry(frame.settings);
+  for (int i = 0; i < targets && !begun; ++i)
+    glClearBufferfv(GL_COLOR, i, output == LightOutput::count ? kNothing : clear);
   if (frame.targets.lights.empty()) return 0;
   bind_gbuffer(frame);
   bind_lights(frame);

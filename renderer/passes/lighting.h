@@ -20,6 +20,10 @@ struct MethodRow {
   int (*draw)(const LightingPass&);  // framebuffer bound and cleared, blending on; -> draw calls
 };
 inline constexpr MethodRow kMethods[] = {
+    {LightMethod::forward, nullptr},  // no light pass: see forward.cpp
+    {LightMethod::forward_prepass, nullptr},
+    {LightMethod::forward_multipass, nullptr},
+    {LightMethod::prepass, draw_fullscreen_radius_lights},
     {LightMethod::fullscreen, draw_fullscreen_lights},
     {LightMethod::fullscreen_radius, draw_fullscreen_radius_lights},
     {LightMethod::volumes, draw_volume_lights},

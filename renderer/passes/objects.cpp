@@ -5,6 +5,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/passes/frame_block.h"
+#include "renderer/random.h"
 
 namespace gbl {
 namespace {
@@ -19,6 +20,16 @@ double distance_to(const Frame& frame, int instance) {
   return glm::distance(centre, frame.settings.camera.position);
 }
 
+// What opaque objects are sorted by. Shuffled: a number that depends on nothing but the instance.
+double draw_rank(const Frame& frame, int instance) {
+  switch (frame.settings.draw_order) {
+    case DrawOrder::near_far: return distance_to(frame, instance);
+    case DrawOrder::far_near: return -distance_to(frame, instance);
+    case DrawOrder::seeded: return Pcg32(static_cast<unsigned>(instance)).in(0, 1);
+  }
+  return 0;
+}
+
 // Made in double relative to the camera and rounded once: exact far from the world's origin.
 void append_record(const Frame& frame, int instance, std::vector<glm::vec4>& out) {
   const glm::dmat4& world_from_object = frame.scene.scene().instances[instance].world_from_object;
@@ -31,7 +42,8 @@ void append_record(const Frame& frame, int instance, std::vector<glm::vec4>& out
   const glm::mat3 normals(glm::transpose(glm::inverse(directions)));
   for (int k = 0; k < 4; ++k) out.push_back(clip[k]);
   for (int k = 0; k < 3; ++k) out.push_back(rows[k]);
-  for (int k = 0; k < 3; ++k) out.emplace_back(normals[k], determinant < 0 ? -1 : 1);
+  const float spare[] = {determinant < 0 ? -1.0f : 1.0f, static_cast<float>(instance + 1), 0};
+  for (int k = 0; k < 3; ++k) out.emplace_back(normals[k], spare[k]);
 }
 
 // Codes as if linear: a factor is then used as the code that the sRGB curve gives it.
@@ -98,28 +110,27 @@ std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
   records.clear();
   std::vector<ObjectDraw> draws;
   int next = 0;
-  const auto nearer = [&](int a, int b) { return distance_to(frame, a) < distance_to(frame, b); };
-  std::vector<std::pair<double, ObjectDraw>> by_distance;
+  const auto rank = [&](int i) { return transparent ? -distance_to(frame, i) : draw_rank(frame, i); };
+  std::vector<std::pair<double, ObjectDraw>> by_rank;
   for (const GpuScene::Batch& batch : frame.scene.batches()) {
     if ((material_of(frame, batch).alpha_mode == AlphaMode::blend) != transparent) continue;
     std::vector<int> order = batch.instances;
-    std::stable_sort(order.begin(), order.end(), nearer);
-    const double nearest = distance_to(frame, order.front());
-    if (!transparent) by_distance.push_back({nearest, {&batch, next, static_cast<int>(order.size())}});
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
+    if (!transparent) by_rank.push_back({rank(order.front()), {&batch, next, static_cast<int>(order.size())}});
     for (const int i : order) {
-      if (transparent) by_distance.push_back({-distance_to(frame, i), {&batch, next, 1}});
+      if (transparent) by_rank.push_back({rank(i), {&batch, next, 1}});
       append_record(frame, i, records);
       ++next;
     }
   }
-  std::stable_sort(by_distance.begin(), by_distance.end(), [](auto& a, auto& b) { return a.first < b.first; });
-  for (const auto& [distance, draw] : by_distance) draws.push_back(draw);
+  std::stable_sort(by_rank.begin(), by_rank.end(), [](auto& a, auto& b) { return a.first < b.first; });
+  for (const auto& [key, draw] : by_rank) draws.push_back(draw);
   if (!draws.empty()) upload_records(frame.targets.instance_data, records, kInstanceUnit, "instances");
   return draws;
 }
 
 int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment,
-                 const gl::Defines& defines) {
+                 const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms) {
   if (draws.empty()) return 0;
   gl::bind_texture(kInstanceUnit, frame.targets.instance_data);
   for (const ObjectDraw& draw : draws) {
@@ -130,6 +141,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
     glUseProgram(program.id());
     bind_material(frame, program, material);
+    if (set_uniforms) set_uniforms(program);
     glUniform1i(program.uniform("first_instance"), draw.first);
     gl::apply_cull(material.double_sided ? gl::Cull::off : gl::Cull::back);
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);

@@ -1,5 +1,6 @@
 #pragma once
 // Drawing the scene's objects: instance records, materials and batches, for the geometry pass and the forward pass.
+#include <functional>
 #include <vector>
 
 #include "renderer/passes/passes.h"
@@ -12,11 +13,13 @@ struct ObjectDraw {
   int first, count;
 };
 
-// Writes the instance texture and says what to draw. Opaque: batches and their instances nearest first.
+// Writes the instance texture and says what to draw. Opaque: batches and their instances as draw-order says.
 // Transparent: one draw per instance, farthest first.
 std::vector<ObjectDraw> prepare_objects(const Frame&, bool transparent);
 
-// Draw with the given fragment shader; defines of the material are added. -> draw calls
-int draw_objects(const Frame&, const std::vector<ObjectDraw>&, const char* fragment, const gl::Defines&);
+// Draw with the given fragment shader; defines of the material are added; `set_uniforms` sets what else the shader
+// reads. -> draw calls
+int draw_objects(const Frame&, const std::vector<ObjectDraw>&, const char* fragment, const gl::Defines&,
+                 const std::function<void(const gl::Program&)>& set_uniforms = {});
 
 }  // namespace gbl

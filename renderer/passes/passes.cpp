@@ -5,17 +5,18 @@
 #include "renderer/views.h"
 
 namespace gbl {
-namespace {
 
-glm::vec3 background_of(const Settings& s) {
-  switch (s.background.fill) {
+glm::vec3 Frame::background() const {
+  switch (settings.background.fill) {
     case BackgroundFill::black: return glm::vec3(0);
     case BackgroundFill::grey: return glm::vec3(0.2f);
-    case BackgroundFill::colour: return glm::vec3(s.background.colour);
+    case BackgroundFill::colour: return glm::vec3(settings.background.colour);
     case BackgroundFill::sky: break;  // a function of direction, in the shader
   }
   return glm::vec3(0);
 }
+
+namespace {
 
 void bind_if_stored(const Frame& frame, Stores what, Unit unit) {
   if (const gl::Texture* t = frame.targets.texture(what)) gl::bind_texture(unit, *t);
@@ -29,12 +30,30 @@ void begin_drawing(const gl::Framebuffer& framebuffer, glm::ivec2 size, const gl
   gl::apply(state);
 }
 
+gl::PassState depth_tested(const Frame& frame, gl::DepthTest test, gl::PassState state) {
+  using gl::DepthTest;
+  const bool reversed = frame.depth_runs() == DepthRuns::reversed;
+  constexpr DepthTest kReversed[] = {DepthTest::off,   DepthTest::greater, DepthTest::greater_equal,
+                                     DepthTest::equal, DepthTest::less,    DepthTest::less_equal};
+  state.depth = reversed ? kReversed[static_cast<int>(test)] : test;
+  state.zero_to_one = reversed;
+  return state;
+}
+
+void clear_depth(const Frame& frame) {
+  const float farthest = frame.depth_runs() == DepthRuns::reversed ? 0.0f : 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
 void bind_gbuffer(const Frame& frame) {
   bind_if_stored(frame, Stores::material, kMaterialUnit);
   bind_if_stored(frame, Stores::normal, kNormalUnit);
   bind_if_stored(frame, Stores::depth, kDepthUnit);
   bind_if_stored(frame, Stores::reflectance, kReflectanceUnit);
   bind_if_stored(frame, Stores::emission, kEmissionUnit);
+  bind_if_stored(frame, Stores::ambient, kAmbientUnit);
+  bind_if_stored(frame, Stores::shininess, kShininessUnit);
+  bind_if_stored(frame, Stores::position, kPositionUnit);
 }
 
 void bind_lights(const Frame& frame) { gl::bind_texture(kLightUnit, frame.targets.light_data); }
@@ -52,18 +71,20 @@ void upload_frame_block(const Frame& frame) {
   shared::FrameBlock block{};
   block.clip_from_relative = glm::mat4(frame.clip_from_relative);
   // Float from here on, as the source's shader computes it: its noise is the pitfall.
-  const glm::mat4 view_from_world(glm::mat4_cast(glm::conjugate(c.orientation)) * glm::dmat4(1));
-  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect)) * view_from_world *
+  const glm::mat4 view_from_world(glm::mat4_cast(glm::conjugate(c.orientation)));
+  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect, frame.depth_runs())) * view_from_world *
                                     glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
                                               glm::vec4(-glm::vec3(c.position), 1));
   block.world_from_clip = glm::inverse(clip_from_world);
+  block.clip_from_world = clip_from_world;
+  block.view_from_world = view_from_world;
   block.ray_forward = glm::vec4(rays.forward, c.orthographic() ? 1 : 0);
   block.ray_right = glm::vec4(rays.right, 0);
   block.ray_up = glm::vec4(rays.up, 0);
   block.camera_position = glm::vec4(c.position, 0);
   block.planes = glm::vec4(c.near, c.far, c.near * c.far, c.far - c.near);
   block.viewport = glm::vec4(s.size, 1.0 / s.size.x, 1.0 / s.size.y);
-  block.background = glm::vec4(background_of(s), 0);
+  block.background = glm::vec4(frame.background(), 0);
   block.shading = glm::vec4(s.shading.exponent, s.shading.specular, s.ambient, s.exposure);
   const Bounds& bounds = frame.scene.scene().bounds;
   block.view_range = glm::vec4(depth_view_range(s.camera, bounds), position_cycle(bounds), 0);
@@ -80,7 +101,7 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
     t.record_texels.emplace_back(l.direction, l.inner_cos);
     t.record_texels.emplace_back(l.outer_cos, l.coefficients);
-    t.record_texels.emplace_back(l.range, 0, 0, 0);
+    t.record_texels.emplace_back(l.profile_range, 0, 0, 0);
     t.record_texels.emplace_back(-1, -1, 1, 1);
   }
   upload_records(t.light_data, t.record_texels, kLightUnit, "lights");
@@ -97,17 +118,25 @@ void upload_records(gl::Texture& texture, std::vector<glm::vec4>& texels, Unit u
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
 }
 
-int draw_combine(const Frame& frame) {
+namespace {
+
+int draw_combined(const Frame& frame, const gl::Framebuffer& into, bool background_only) {
   gl::Defines defines = frame.defines();
   defines.push_back({"SKY", frame.settings.background.fill == BackgroundFill::sky});
-  defines.push_back({"SPLIT", frame.settings.accumulation.targets == AccumulationTargets::split});
+  defines.push_back({"SPLIT", frame.split()});
+  defines.push_back({"BACKGROUND_ONLY", background_only});
   const gl::Program& program = frame.programs.get("fullscreen.vert", "combine.frag", defines);
-  begin_drawing(frame.targets.framebuffer(Pass::combine), frame.settings.size, {});
+  begin_drawing(into, frame.settings.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
   glUseProgram(program.id());
   frame.shapes.draw_fullscreen();
   return 1;
 }
+
+}  // namespace
+
+int draw_combine(const Frame& frame) { return draw_combined(frame, frame.targets.framebuffer(Pass::combine), false); }
+int draw_background(const Frame& frame, const gl::Framebuffer& into) { return draw_combined(frame, into, true); }
 
 }  // namespace gbl

@@ -11,6 +11,10 @@ inline bool bounded(const Light& l) { return l.kind != LightKind::directional &&
 // Bind where a pass draws, set the viewport, apply its state.
 void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&);
 
+// The state with this depth test, whichever way depth runs; and the farthest depth into the bound framebuffer.
+gl::PassState depth_tested(const Frame&, gl::DepthTest, gl::PassState);
+void clear_depth(const Frame&);
+
 // Textures of the G-buffer and the light records, at the units of programs.h.
 void bind_gbuffer(const Frame&);
 void bind_lights(const Frame&);
@@ -21,10 +25,15 @@ void upload_lights(const Frame&);
 // Rows of float records as a texture; remade only when it must grow or shrink.
 void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const char* label);
 
-int draw_geometry(const Frame&);                                            // -> draw calls
-int draw_forward(const Frame&);                                             // -> draw calls
-int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);  // -> draw calls
+// -> draw calls
+int draw_geometry(const Frame&);
+int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);
 int draw_combine(const Frame&);
+int draw_background(const Frame&, const gl::Framebuffer& into);
+int draw_forward(const Frame&, LightOutput, const gl::Framebuffer& into);
+int draw_materials_over_light(const Frame&);
+int draw_transparent(const Frame&);
+int draw_edge_blur(const Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);
 
 }  // namespace gbl

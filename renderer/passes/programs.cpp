@@ -2,6 +2,8 @@
 
 #include <cctype>
 
+#include "renderer/gbuffer_layout.h"
+#include "renderer/mistakes.h"
 #include "renderer/options.h"
 
 namespace gbl {
@@ -30,6 +32,9 @@ constexpr SamplerUnit kSamplers[] = {
     {"instance_data", kInstanceUnit},
     {"gbuffer_reflectance", kReflectanceUnit},
     {"gbuffer_emission", kEmissionUnit},
+    {"gbuffer_ambient", kAmbientUnit},
+    {"gbuffer_shininess", kShininessUnit},
+    {"gbuffer_position", kPositionUnit},
 };
 
 std::string constant_name(const char* prefix, const char* id) {
@@ -45,8 +50,18 @@ void append_axis(gl::Defines& out, const char* name, const char* prefix, E chose
   for (const ValueRow& r : rows<E>()) out.push_back({constant_name(prefix, r.id), r.value});
 }
 
+constexpr const char* kStoresNames[] = {
+    "material", "normal",   "reflectance", "emission", "ambient",       "shininess",
+    "id",       "position", "depth",       "light",    "diffuse-light", "specular-light"};
+
+void append_mistakes(gl::Defines& out, const Settings& s, MistakeIn where) {
+  for (const Mistake& m : mistakes())
+    if (m.in == where) out.push_back({constant_name("MISTAKE_", m.id), s.mistakes.count(m.id) > 0});
+}
+
 // Every program sees these constants.
 void append_common(gl::Defines& out) {
+  out.push_back({"MATERIAL_VIEW_ROUGHNESS", static_cast<int>(MaterialView::roughness)});
   for (const ViewRow& v : views()) out.push_back({constant_name("VIEW_", v.id), static_cast<int>(v.view)});
   out.push_back({"OUTPUT_SPLIT", static_cast<int>(LightOutput::split)});
   out.push_back({"OUTPUT_SUM", static_cast<int>(LightOutput::sum)});
@@ -59,11 +74,36 @@ gl::Defines gbuffer_defines(const Settings& s) {
   gl::Defines out;
   append_axis(out, "LAYOUT", "LAYOUT_", s.layout);
   append_axis(out, "NORMAL_ENCODING", "NORMAL_", s.normal.encoding);
+  append_axis(out, "POSITION_SOURCE", "POSITION_", s.position.source);
   append_axis(out, "POSITION_RECONSTRUCT", "RECONSTRUCT_", s.position.reconstruct);
+  append_axis(out, "BACKGROUND_SKIP", "SKIP_", s.background.skip);
   append_axis(out, "COLOUR", "COLOUR_", s.colour);
   append_axis(out, "SHADING_MODEL", "MODEL_", s.shading.model);
-  append_axis(out, "ATTENUATION", "ATTENUATION_", s.attenuation);
+  int draw_buffer = 0;
+  for (const Attachment& a : attachments(s))
+    if (a.written_by == Pass::geometry && a.stores != Stores::depth)
+      out.push_back({constant_name("STORED_", kStoresNames[static_cast<int>(a.stores)]), draw_buffer++});
+  out.push_back({"THIN", shading_of(s.lights.method) == Shading::light_prepass});
+  out.push_back({"MATERIAL_WORDS", facts(s.layout).words && shading_of(s.lights.method) == Shading::deferred});
+  out.push_back({"NORMAL_IN_MATERIAL", normal_in_material(s)});
+  out.push_back({"DEPTH_REVERSED", s.depth.format == DepthFormat::d32f_reversed});
+  out.push_back({"MATERIAL_VIEW", static_cast<int>(facts(s.layout).shows)});
+  append_mistakes(out, s, MistakeIn::shading);
   return out;
+}
+
+void append_light_defines(gl::Defines& out, const Settings& s, bool light_kinds) {
+  append_axis(out, "ATTENUATION", "ATTENUATION_", s.attenuation);
+  out.push_back({"LIGHT_KINDS", light_kinds});
+  out.push_back({"RANGE_IS_PROFILE", s.range.kind == RangeKind::source || s.range.kind == RangeKind::windowed});
+  out.push_back({"RANGE_WINDOWED", s.range.kind == RangeKind::windowed});
+  out.push_back({"SPOT_COS_POWER", s.lights.spot == LightSpot::cos_power});
+}
+
+void append_surface_defines(gl::Defines& out, const Settings& s, bool emission_kept) {
+  append_axis(out, "TANGENTS", "TANGENTS_", s.tangents);
+  out.push_back({"EMISSION_KEPT", emission_kept});
+  append_mistakes(out, s, MistakeIn::surface);
 }
 
 gl::Program ProgramCache::compile(const Variant& v) {

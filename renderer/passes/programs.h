@@ -20,6 +20,9 @@ enum Unit {
   kDepthUnit,
   kReflectanceUnit,
   kEmissionUnit,
+  kAmbientUnit,
+  kShininessUnit,
+  kPositionUnit,
   kLightUnit,
   kDiffuseUnit,
   kSpecularUnit,
@@ -34,7 +37,9 @@ enum Unit {
 };
 
 // Defines that name the choices a shader depends on; each shader asks only for those it reads.
-gl::Defines gbuffer_defines(const Settings&);  // layout, normal, position, colour, shading, attenuation
+gl::Defines gbuffer_defines(const Settings&);  // what is stored and how, colour, shading
+void append_light_defines(gl::Defines&, const Settings&, bool light_kinds);
+void append_surface_defines(gl::Defines&, const Settings&, bool emission_kept);
 
 class ProgramCache {
  public:

@@ -1,5 +1,6 @@
 #include "renderer/passes/targets.h"
 
+#include "renderer/gl/pass_state.h"
 #include "renderer/passes/frame_block.h"
 
 namespace gbl {
@@ -17,6 +18,16 @@ Canvas& made(std::optional<Canvas>& canvas, const gl::TextureDesc& desc) {
   return *canvas;
 }
 
+constexpr int kSamples = 4;
+
+// A pass draws into what it writes first; the sum that geometry began is lit as well, and what is drawn after the
+// lighting with geometry needs its depth.
+bool draws_into(const Attachment& a, Pass pass, Shading shading) {
+  if (a.written_by == pass) return true;
+  if (pass == Pass::lighting) return a.stores == Stores::light;
+  return pass == Pass::combine && a.stores == Stores::depth && shading != Shading::deferred;
+}
+
 double mib_of(const gl::Texture& t) { return double(t.size.x) * t.size.y * row(t.format).bytes / (1 << 20); }
 
 }  // namespace
@@ -28,9 +39,54 @@ Canvas make_canvas(const gl::TextureDesc& desc) {
   return c;
 }
 
+Targets::Samples Targets::make_sampled(glm::ivec2 size, const std::vector<Attachment>& wanted) {
+  Samples out;
+  std::vector<size_t> colours;
+  size_t depth = 0;
+  for (const Attachment& a : wanted) {
+    if (a.written_by != Pass::geometry) continue;
+    if (a.stores == Stores::depth)
+      depth = out.buffers.size();
+    else
+      colours.push_back(out.buffers.size());
+    out.buffers.push_back(gl::make_samples(size, a.format, kSamples));
+  }
+  std::vector<const gl::Renderbuffer*> attached;
+  for (const size_t i : colours) attached.push_back(&out.buffers[i]);
+  out.framebuffer = gl::make_sample_framebuffer(attached, out.buffers[depth], "gbuffer.samples");
+  out.colour_count = static_cast<int>(colours.size());
+  return out;
+}
+
+const gl::Framebuffer& Targets::geometry_framebuffer() const {
+  return samples_ ? samples_->framebuffer : framebuffer(Pass::geometry);
+}
+
+// One attachment at a time, and each mean as the driver makes it; integers and depth take one of the samples.
+void Targets::resolve_samples() const {
+  if (!samples_) return;
+  gl::apply({});
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_->framebuffer.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer(Pass::geometry).id());
+  std::vector<GLenum> all;
+  for (int i = 0; i < samples_->colour_count; ++i) {
+    const GLenum slot = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+    std::vector<GLenum> only(static_cast<size_t>(i) + 1, GL_NONE);
+    only.back() = slot;
+    glReadBuffer(slot);
+    glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
+    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
+                      GL_COLOR_BUFFER_BIT | (i == 0 ? GL_DEPTH_BUFFER_BIT : 0u), GL_NEAREST);
+    all.push_back(slot);
+  }
+  glDrawBuffers(static_cast<GLsizei>(all.size()), all.data());
+}
+
 void Targets::prepare(const Settings& s) {
   std::vector<Attachment> wanted = gbl::attachments(s);
-  if (size_ == s.size && same(wanted, attachments_)) return;
+  const Shading shading = shading_of(s.lights.method);
+  const bool multisampled = s.antialias == Antialias::msaa_resolved && shading != Shading::forward;
+  if (size_ == s.size && same(wanted, attachments_) && shading == shading_ && multisampled == multisampled_) return;
   std::vector<gl::Texture> textures;
   for (const Attachment& a : wanted)
     textures.push_back(gl::make_texture({.size = s.size, .format = a.format, .label = a.name}));
@@ -38,19 +94,25 @@ void Targets::prepare(const Settings& s) {
   for (const Pass pass : {Pass::geometry, Pass::lighting, Pass::combine}) {
     gl::FramebufferDesc desc{.label = pass == Pass::geometry ? "gbuffer" : pass == Pass::lighting ? "light" : "lit"};
     for (size_t i = 0; i < wanted.size(); ++i) {
-      if (wanted[i].written_by != pass) continue;
+      if (!draws_into(wanted[i], pass, shading)) continue;
       if (row(wanted[i].format).numeric == Numeric::depth)
         desc.depth = &textures[i];
       else
         desc.colours.push_back(&textures[i]);
     }
-    framebuffers[static_cast<int>(pass)] = gl::make_framebuffer(desc);
+    if (desc.depth || !desc.colours.empty()) framebuffers[static_cast<int>(pass)] = gl::make_framebuffer(desc);
   }
+  std::optional<Samples> samples;
+  if (multisampled) samples = make_sampled(s.size, wanted);
   // Everything new exists: only now let go of the old.
-  composed_.reset();  // it shares the depth attachment
+  for (auto* c : {&composed_, &ids_}) c->reset();  // they share the depth attachment
+  counts_with_depth_ = {}, counts_depth_ = {};
+  samples_ = std::move(samples);
+  multisampled_ = multisampled;
+  shading_ = shading;
   if (size_ != s.size) {
     for (auto& v : views_) v.reset();
-    for (auto* c : {&counts_, &counts_lit_, &count_sums_}) c->reset();
+    for (auto* c : {&counts_, &counts_lit_, &count_sums_, &unblurred_}) c->reset();
   }
   size_ = s.size;
   attachments_ = std::move(wanted);
@@ -71,7 +133,7 @@ double Targets::mib() const {
   for (const gl::Texture& t : textures_) sum += mib_of(t);
   for (const auto& v : views_)
     if (v) sum += mib_of(v->texture);
-  for (const auto* c : {&composed_, &counts_, &counts_lit_, &count_sums_})
+  for (const auto* c : {&composed_, &counts_, &counts_lit_, &count_sums_, &unblurred_, &ids_})
     if (*c) sum += mib_of((*c)->texture);
   return sum;
 }
@@ -97,6 +159,26 @@ Canvas& Targets::composed() {
 }
 
 Canvas& Targets::counts() { return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}); }
+const gl::Framebuffer& Targets::counts_with_depth() {
+  if (!counts_with_depth_) {
+    counts_depth_ = gl::make_texture({.size = size_, .format = Format::d32f, .label = "counts.depth"});
+    counts_with_depth_ =
+        gl::make_framebuffer({.colours = {&counts().texture}, .depth = &counts_depth_, .label = "counts"});
+  }
+  return counts_with_depth_;
+}
+Canvas& Targets::unblurred() {
+  return made(unblurred_, {.size = size_, .format = Format::rgba32f, .label = "unblurred"});
+}
+Canvas& Targets::ids() {
+  if (!ids_) {
+    ids_.emplace();
+    ids_->texture = gl::make_texture({.size = size_, .format = Format::r32ui, .label = "ids"});
+    ids_->framebuffer =
+        gl::make_framebuffer({.colours = {&ids_->texture}, .depth = texture(Stores::depth), .label = "ids"});
+  }
+  return *ids_;
+}
 Canvas& Targets::counts_lit() {
   return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"});
 }

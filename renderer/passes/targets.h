@@ -30,6 +30,9 @@ class Targets {
   glm::ivec2 size() const { return size_; }
   const gl::Texture* texture(Stores) const;  // null if not stored
   const gl::Framebuffer& framebuffer(Pass) const;
+  // Where the geometry pass draws: the G-buffer, or its samples, which resolve_samples() then averages into it.
+  const gl::Framebuffer& geometry_framebuffer() const;
+  void resolve_samples() const;
   const std::vector<Attachment>& attachments() const { return attachments_; }
   double mib() const;  // of all textures held
 
@@ -37,8 +40,11 @@ class Targets {
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
   Canvas& composed();                    // RGBA32F with the scene's depth: lit + transparent surfaces
   const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
-  Canvas& counts();  // RGBA32F: pairs tested, shaded, in range
+  Canvas& counts();                            // RGBA32F: pairs tested, shaded, in range
+  const gl::Framebuffer& counts_with_depth();  // counts() with a depth buffer of its own: forward shading draws anew
   Canvas& counts_lit();
+  Canvas& unblurred();   // RGBA32F: `lit` before its edges are blurred
+  Canvas& ids();         // R32UI with the frame's depth: number of the object, from 1
   Canvas& count_sums();  // the reduction
   Canvas& probe();
 
@@ -51,6 +57,7 @@ class Targets {
   bool light_kinds = false;              // is any light other than a point light?
   bool composed_valid = false;           // were transparent surfaces drawn over `lit` into composed()?
   std::vector<Light> lights;             // of the frame drawn last
+  Settings drawn;                        // of the frame drawn last, with nothing left to choose
   gl::Buffer frame_block;
   bool counts_valid = false;  // of the frame drawn last
   bool counts_lit_valid = false;
@@ -61,7 +68,18 @@ class Targets {
   std::vector<gl::Texture> textures_;            // beside attachments_
   std::array<gl::Framebuffer, 3> framebuffers_;  // geometry, lighting, combine
   std::array<std::optional<Canvas>, kViewCount> views_;
-  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_;
+  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_;
+  gl::Texture counts_depth_;
+  gl::Framebuffer counts_with_depth_;
+  struct Samples {
+    std::vector<gl::Renderbuffer> buffers;
+    gl::Framebuffer framebuffer;
+    int colour_count = 0;
+  };
+  static Samples make_sampled(glm::ivec2 size, const std::vector<Attachment>&);
+  std::optional<Samples> samples_;
+  bool multisampled_ = false;
+  Shading shading_ = Shading::deferred;
 };
 
 }  // namespace gbl

@@ -45,7 +45,7 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   if (view == View::lights_per_pixel && !targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
   gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
+  defines.push_back({"SPLIT", frame.split()});
   defines.push_back({"VIEW", static_cast<int>(view)});
   defines.push_back({"RAW", options.raw});
   const gl::Program& program = programs_.get("fullscreen.vert", "views.frag", defines);

@@ -1,0 +1,8 @@
+// Depth and nothing else; masked surfaces leave out what the geometry pass would.
+#include "material.glsl"
+
+void main() {
+#if ALPHA_MASK
+  if (material_base().a < alpha_cutoff) discard;
+#endif
+}
