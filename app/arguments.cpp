@@ -28,7 +28,7 @@ void add_without(CLI::App& app, Arguments& a) {
 
 void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   add_without(app, a);
-  if (command == "render" || command == "view") add_settings(app, a);
+  if (command == "render" || command == "view" || command == "bench") add_settings(app, a);
   if (command != "view") app.add_flag("--json", a.json, "machine-readable output");
   if (command == "render") {
     app.add_option("-o,--output", a.output, "folder for the pictures, made if need be (default: out)");

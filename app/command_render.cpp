@@ -8,6 +8,7 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/report_json.h"
+#include "renderer/packing_svg.h"
 #include "renderer/presets.h"
 #include "renderer/settings_json.h"
 
@@ -117,7 +118,11 @@ ExitCode run_render(const Arguments& a) {
     writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v));
   }
   lab.collect(true);
-  if (a.sheet) writer.write("sheet.png", picture_of(lab, sheet_of(lab, shown)));
+  if (a.sheet) {
+    writer.write("sheet.png", picture_of(lab, sheet_of(lab, shown)));
+    const Preset* p = preset_of(s);
+    write_text_file(folder / "packing.svg", packing_svg(lab.report().drawn, p ? p->id : row(s.layout).id));
+  }
   write_text_file(folder / "settings.json", state);
   const std::vector<std::string> files = writer.finish();
   if (a.json)

@@ -56,6 +56,7 @@ std::span<const Command> commands();
 
 ExitCode run_view(const Arguments&);
 ExitCode run_render(const Arguments&);
+ExitCode run_bench(const Arguments&);
 ExitCode run_list(const Arguments&);
 ExitCode run_info(const Arguments&);
 ExitCode run_start_sheets(const Arguments&);  // what happens without a command and without a display

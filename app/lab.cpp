@@ -59,6 +59,10 @@ std::optional<ui::PixelProbe> Lab::take_probe() {
   p.position = (*v)[2], p.range = (*v)[2].w;
   p.diffuse_light = (*v)[3], p.specular_light = (*v)[4];
   p.lit = (*v)[5], p.lights = (*v)[5].w;
+  p.object = static_cast<int>((*v)[6].x);
+  const std::vector<Instance>& instances = gpu_scene_->scene().instances;
+  if (p.object > 0 && p.object <= static_cast<int>(instances.size()))
+    p.object_name = instances[static_cast<size_t>(p.object) - 1].name;
   return p;
 }
 

@@ -33,6 +33,7 @@ Json report_json(const Lab& lab) {
   json["sound"] = unsound.empty();
   json["pitfalls"] = Json::array();
   for (const Unsound& u : unsound) json["pitfalls"].push_back(u.pitfall);
+  json["choices"] = r.choices;
   json["settings"] = to_json(lab.drawn());
   return json;
 }

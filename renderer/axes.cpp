@@ -102,7 +102,7 @@ constexpr ValueRow kPositionSource[] = {
 constexpr ValueRow kPositionReconstruct[] = {
   {.value = at(PositionReconstruct::view_ray), .id = "view-ray", .label = "view ray x depth", .help = "camera-relative: the pixel's ray times linear depth; as exact as the depth format"},
   {.value = at(PositionReconstruct::inverse_viewproj), .id = "inverse-viewproj", .label = "inverse view-projection", .help = "a float 4x4 inverse: adds its own noise, larger than 24-bit depth's at a distance", .source = "nclgl tutorial 15, pointlightfragment.glsl lines 23-24"},
-  {.value = at(PositionReconstruct::inverse_viewproj_varying), .id = "inverse-viewproj-varying", .label = "inverse, per vertex", .help = "the inverse is taken in the vertex shader and passed on as four varyings: interpolation adds its own noise", .source = "nclgl tutorial 15, pointlightvertex.glsl"},
+  {.value = at(PositionReconstruct::inverse_viewproj_varying), .id = "inverse-viewproj-varying", .label = "inverse, per vertex", .help = "the inverse is taken in the vertex shader and passed on as four varyings: interpolation adds its own noise", .source = "nclgl tutorial 15, pointlightvertex.glsl", .pitfall = "inverse-matrix-varying"},
 };
 constexpr ValueRow kDepthFormat[] = {
   {.value = at(DepthFormat::d16), .id = "d16", .label = "D16", .help = "16-bit fixed point", .cost = "2 B/px"},
@@ -180,6 +180,10 @@ constexpr ValueRow kVolumeOverlay[] = {
   {.value = at(VolumeOverlay::picked), .id = "picked", .label = "picked light", .help = "the wire of the picked light's volume; parts behind a surface are faint"},
   {.value = at(VolumeOverlay::all), .id = "all", .label = "all lights", .help = "the wires of all volumes in their lights' colours"},
 };
+constexpr ValueRow kLightMarkers[] = {
+  {.value = at(LightMarkers::off), .id = "off", .label = "off", .help = "lights are not drawn"},
+  {.value = at(LightMarkers::on), .id = "on", .label = "cubes", .help = "a small cube in its colour at each point and spot light, drawn forward after lighting", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
+};
 // clang-format on
 
 }  // namespace
@@ -218,6 +222,7 @@ GBL_ROWS(Tangents, kTangents)
 GBL_ROWS(Antialias, kAntialias)
 GBL_ROWS(DrawOrder, kDrawOrder)
 GBL_ROWS(VolumeOverlay, kVolumeOverlay)
+GBL_ROWS(LightMarkers, kLightMarkers)
 #undef GBL_ROWS
 
 int parse_id(std::span<const ValueRow> table, std::string_view id, std::string_view where) {

@@ -25,6 +25,7 @@ struct ValueRow {
 // ---- what is true -----------------------------------------------------------------------------------------
 enum class LightSource { scene, generated, rig };
 enum class LightSpot { cone, cos_power };
+enum class LightMarkers { off, on };
 enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed };
 enum class RangeKind { source, threshold, windowed, none };
 enum class ShadingModel { lambert, phong, blinn_phong, ggx };

@@ -23,8 +23,6 @@ constexpr Mistake kMistakes[] = {
    "nclgl tutorial 15, pointlightfragment.glsl lines 32-37; tutorial 08-2, ProcessPointLights", MistakeIn::shading},
   {"volume-without-distance-test", "no distance test under a volume", "a sphere's silhouette is shaded, not the sphere: discs of light on far walls behind it",
    "de Vries 2014, LearnOpenGL, Deferred Shading: light volumes", MistakeIn::shading},
-  {"light-target-grey-clear", "light targets cleared to the default grey", "0.2 of light everywhere: the picture is washed out",
-   "nclgl tutorial 15, renderer.cpp line 242", MistakeIn::pass},
   {"range-shortcut", "a light's range by a shortcut", "the linear term is left out: the light ends at 65 to 73 % of its range, brighter than meant",
    "engine blog, part 30: range = radius * sqrt(maxIllum / threshold - 0.2)", MistakeIn::pass},
   {"forward-without-depth", "forward draws without the scene's depth", "light markers and glass shine through walls",

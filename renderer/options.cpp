@@ -131,6 +131,7 @@ const Option kOptions[] = {
   {.path = "lights.only", .group = Group::truth, .label = "Only light", .help = "this light alone; -1 = all", INTEGER(lights.only, -1, kMaxLights - 1)},
   {.path = "lights.first", .group = Group::truth, .label = "First lights", .help = "the first k lights; -1 = all", INTEGER(lights.first, -1, kMaxLights)},
   {.path = "lights.spot", .group = Group::truth, .label = "Spot edge", .help = "how a spot light ends sideways", CHOICE(LightSpot, lights.spot)},
+  {.path = "lights.markers", .group = Group::truth, .label = "Light cubes", .help = "forward draws after the lighting: they need the scene's depth", CHOICE(LightMarkers, lights.markers)},
   {.path = "attenuation", .group = Group::truth, .label = "Attenuation", .help = "how light falls off with distance", .key = "T", CHOICE(Attenuation, attenuation)},
   {.path = "range.kind", .group = Group::truth, .label = "Range", .help = "where a light ends", .key = "R", CHOICE(RangeKind, range.kind)},
   {.path = "range.threshold", .group = Group::truth, .label = "Range threshold", .help = "where range.kind=threshold ends a light", NUMBER(range.threshold, 1e-6, 1)},

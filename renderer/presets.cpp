@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/error.h"
+#include "renderer/presets_sources.h"
 
 namespace gbl {
 namespace {
@@ -27,33 +28,46 @@ Settings start() {
   return s;
 }
 
-// Source 0 with its mistakes mended and nothing else changed: its camera, its attachments' bits, its constants.
-// Mended: normal-map precedence, background lit, grey-cleared light target, RGBA8 sums, highlights on faces turned
-// away, no sRGB, one light's NaN, inverse matrix as a varying, near-plane cut, inscribed mesh.
-Settings nclgl_fixed() {
+// The smallest layout whose error a class cannot see: nothing is blended, so half floats are rounded once.
+Settings compact() {
   Settings s = start();
-  s.camera.position = {2056, 500, 4112};
-  s.camera.orientation = orientation_from_yaw_pitch(0, 0);
-  s.layout = Layout::nclgl;
-  s.normal.encoding = NormalEncoding::xyz8;
-  s.depth.format = DepthFormat::d24;
-  s.position.reconstruct = PositionReconstruct::view_ray;
-  s.shading.exponent = 33;
-  s.shading.specular = 0.33;
-  s.ambient = 0.2;
-  s.background.fill = BackgroundFill::grey;
-  s.lights.cull = LightCull::flip_safe;
+  s.layout = Layout::compact;
+  s.normal.encoding = NormalEncoding::oct14;
+  s.lights.method = LightMethod::auto_;
+  s.lights.cull = LightCull::front;
   s.lights.volume.clip = VolumeClip::none;
-  s.accumulation = {AccumulationFormat::rgba16f, AccumulationTargets::split};
   s.view.volumes = VolumeOverlay::off;
   return s;
 }
 
+// The smallest layout within half a display step.
+Settings exact() {
+  Settings s = compact();
+  s.layout = Layout::exact;
+  s.normal.encoding = NormalEncoding::oct16_precise;
+  s.accumulation.format = AccumulationFormat::rgba32f;
+  return s;
+}
+
+// clang-format off
 constexpr Preset kPresets[] = {
     {"start", "Start", "the first screen: terrain, 64 lights as volumes, 12 bytes per pixel", start},
-    {"nclgl-fixed", "nclgl, mended", "nclgl tutorial 15 with its mistakes mended: RGBA8 colour, RGBA8 normal, D24",
-     nclgl_fixed},
+    {"nclgl", "nclgl", "nclgl tutorial 15 as printed: RGBA8 colour and normal, D24, 64 sphere volumes, RGBA8 light", nclgl},
+    {"nclgl-fixed", "nclgl, mended", "the same targets and lights, without its mistakes", nclgl_fixed},
+    {"stereo", "stereo", "tutorial 9 as printed: stereographic normals, an accumulation target that begins with ambient; no shadows yet", stereo},
+    {"stereo-fixed", "stereo, mended", "the same, with normals that have a code for every direction", stereo_fixed},
+    {"learnopengl-a", "learnopengl, stage a", "LearnOpenGL, Deferred Shading, first pass: 32 lights on every pixel, Lambert, no falloff", learnopengl_a},
+    {"learnopengl-b", "learnopengl, stage b", "LearnOpenGL, Deferred Shading: falloff, and a radius where it reaches 5/256", learnopengl_b},
+    {"learnopengl", "learnopengl, stage c", "LearnOpenGL, Deferred Shading: a sphere per light, back faces only", learnopengl},
+    {"learnopengl-fixed", "learnopengl, mended", "stage c without its mistakes: windowed ranges, positions from the camera", learnopengl_fixed},
+    {"objectid", "objectid", "tutorial 08-2 as printed: 56 bytes per pixel with object ids, all lights full screen; no shadows there either", objectid},
+    {"objectid-fixed", "objectid, mended", "the same targets, without its mistakes", objectid_fixed},
+    {"viewspace", "viewspace", "engine blog, parts 30 and 31, as printed: scaled view positions, lights as discs; its shadow maps are not drawn yet", viewspace},
+    {"viewspace-fixed", "viewspace, mended", "the same layout with raw positions and exact screen bounds", viewspace_fixed},
+    {"compact", "compact", "12 or 16 bytes per pixel, for an error that a class cannot see", compact},
+    {"exact", "exact", "the fewest bytes for half a display step", exact},
 };
+// clang-format on
 
 }  // namespace
 

@@ -33,6 +33,7 @@ struct Settings {
     int only = -1;           // this light alone; -1 = all
     int first = -1;          // the first k lights; -1 = all
     LightSpot spot = LightSpot::cone;
+    LightMarkers markers = LightMarkers::off;
     LightMethod method = LightMethod::volumes;
     LightCull cull = LightCull::flip_safe;
     struct Volume {

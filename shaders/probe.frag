@@ -4,6 +4,7 @@
 uniform ivec2 pixel;  // texel, origin bottom left
 uniform sampler2D lit;
 uniform sampler2D counts;
+uniform usampler2D ids;
 #if SPLIT
 uniform sampler2D light_diffuse;
 uniform sampler2D light_specular;
@@ -21,5 +22,6 @@ void main() {
   else if (field == 4) value = vec4(texelFetch(light_specular, pixel, 0).rgb, 0.0);
 #endif
   else if (field == 5) value = vec4(texelFetch(lit, pixel, 0).rgb, texelFetch(counts, pixel, 0).b);
+  else if (field == 6) value = vec4(float(texelFetch(ids, pixel, 0).r), 0.0, 0.0, 0.0);
   else value = vec4(0.0);
 }

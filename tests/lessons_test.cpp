@@ -13,7 +13,7 @@
 namespace gbl {
 namespace {
 
-TEST(Lessons, TheTwoOfTheLabAreThere) {
+TEST(Lessons, TheThreeOfTheLabAreThere) {
   const std::vector<std::string> ids = lesson_ids();
   EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
   const Lesson g_buffer = load_lesson("what-is-in-a-g-buffer");
@@ -22,6 +22,15 @@ TEST(Lessons, TheTwoOfTheLabAreThere) {
   const Lesson lost = load_lesson("three-ways-to-lose-a-light");
   EXPECT_EQ(lost.title, "Three ways to lose a light");
   EXPECT_EQ(lost.steps.size(), 6u);
+  EXPECT_EQ(load_lesson("learnopengl-in-three-stages").steps.size(), 5u);
+}
+
+// The last step is the preset with the mistakes mended, but for what is looked at.
+TEST(Lessons, LearnOpenGLEndsWhereItsMendedPresetStands) {
+  Settings last = settings_at(load_lesson("learnopengl-in-three-stages"), 4);
+  const Settings mended = preset("learnopengl-fixed").make();
+  last.view = mended.view;
+  EXPECT_EQ(last, mended);
 }
 
 TEST(Lessons, EveryPatchChangesSomethingAndEveryViewCanBeShown) {

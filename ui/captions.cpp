@@ -31,6 +31,16 @@ std::string json_text(const Json& v, int digits = 6) {
   return text + "]";
 }
 
+// Which choice puts this option out of use.
+std::string why_unused(const Option& o, const Settings& s) {
+  const std::string_view path = o.path;
+  if (path == "range.threshold") return fmt::format("range {}", row(s.range.kind).label);
+  if (path == "tangents") return "a frame without normal maps";
+  if (path == "position.reconstruct" && s.position.source != PositionSource::depth)
+    return fmt::format("position source {}", row(s.position.source).label);
+  return fmt::format("method {}", row(s.lights.method).label);
+}
+
 }  // namespace
 
 std::string capitalised(std::string_view text) {
@@ -67,7 +77,7 @@ Sentence describe_step(const Option& o, const Settings& before, const Settings& 
                          cost_sentence(from, to)),
              ""};
   if (!in_use(o, after))
-    s.text += fmt::format(" No effect while the method is {}: it draws no volumes.", row(after.lights.method).label);
+    s.text += fmt::format(" No effect as things stand: {} does not use it.", why_unused(o, after));
   else
     s.pitfall = to.pitfall;
   return s;

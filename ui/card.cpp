@@ -48,7 +48,7 @@ void draw_card(Frame& f) {
                                   {"space", v.space, kText},
                                   {"unit", v.unit, kText},
                                   {"range", v.range, kText},
-                                  {"stored", stored_text(v.view, f.settings), kText},
+                                  {"stored", stored_text(v.view, f.stored), kText},
                                   {"written by", pass_name(v.written_by), pass_colour(v.written_by)},
                                   {"read by", v.read_by, kText},
                                   {"decode", v.decode, kText},

@@ -97,6 +97,19 @@ void toggle_time(Frame& f, const KeyEvent&) {
 }
 
 void toggle_help(Frame& f, const KeyEvent&) { f.state.help = !f.state.help; }
+void pick_object(Frame& f, const KeyEvent&) {
+  int& picked = f.settings.view.object;
+  const std::optional<PixelProbe>& probe = f.input.probe;
+  const bool pointed = probe && (f.state.held_at || f.state.hovered_pixel);
+  const int now = pointed ? probe->object : 0;
+  const bool again = now == picked;
+  picked = again ? 0 : now;
+  if (picked > 0)
+    say(f, {fmt::format("Picked: {}, object {} of {}.", probe->object_name, picked, f.input.scene.instances.size()), ""});
+  else
+    say(f, {pointed || again ? "No object is picked." : "Point at an object or hold a pixel first.", ""});
+}
+
 void toggle_hidden(Frame& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
 void reload_shaders(Frame& f, const KeyEvent&) { f.requests.reload_shaders = true; }
 void save_figure(Frame& f, const KeyEvent&) { f.requests.save_figure = true; }

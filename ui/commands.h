@@ -13,6 +13,7 @@ void go_home(Frame&, const KeyEvent&);
 void glide(Frame&, const KeyEvent&);
 void solo_light(Frame&, const KeyEvent&);
 void pick_light(Frame&, const KeyEvent&);
+void pick_object(Frame&, const KeyEvent&);
 void step_lesson(Frame&, const KeyEvent&);
 void reveal_answer(Frame&, const KeyEvent&);
 void toggle_card(Frame&, const KeyEvent&);

@@ -40,6 +40,7 @@ std::vector<Number> numbers(const FrameReport& r, bool pass_by_pass) {
   if (!pass_by_pass) n.push_back({"ms", joined.empty() ? "…" : joined});
   n.push_back({"ms from", r.time_source.empty() ? "…" : source_in_words(r.time_source)});
   n.push_back({"draw calls", std::to_string(r.draw_calls)});
+  for (const std::string& choice : r.choices) n.push_back({"auto", choice});
   return n;
 }
 

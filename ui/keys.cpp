@@ -22,6 +22,8 @@ constexpr Command kCommands[] = {
     {", .", "light.pick", "pick the light before or after", pick_light, true},
     {"PgUp PgDn", "lesson.step", "a lesson's step back or on; none open: choose one", step_lesson},
     {"Enter", "lesson.reveal", "show the answer", reveal_answer},
+    {"Ctrl+G", "pixel.go-to", "hold the pixel at a typed x, y", open_go_to},
+    {"G", "object.pick", "outline and name the object under the mouse or at the held pixel; again: none", pick_object},
     {"H", "card", "what is this buffer: the card of the view under the mouse, or of the chosen one", toggle_card},
     {"Space", "time.pause", "let the lights move, or stop them", toggle_time},
     {"F1", "help", "these keys", toggle_help},
@@ -33,7 +35,6 @@ constexpr Command kCommands[] = {
     {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",
      nullptr},
     {"Left Right Up Down", "pixel.nudge", "move the held pixel by one; Shift: by ten", nudge_pixel, true},
-    {"Ctrl+G", "pixel.go-to", "hold the pixel at a typed x, y", open_go_to},
     {"Esc", "close", "close what is open; then let go of the pixel, the lesson, the hidden panels", close_top},
 };
 

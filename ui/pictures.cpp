@@ -94,12 +94,12 @@ void draw_texts_on_main(Frame& f, const Box& panel) {
 
 void draw_panel(Frame& f, View v, const Box& panel) {
   const ViewImage& image = f.input.images[static_cast<size_t>(v)];
-  f.requests.visible[static_cast<size_t>(v)] = why_missing(v, f.settings).empty();
+  f.requests.visible[static_cast<size_t>(v)] = why_missing(v, f.stored).empty();
   PanelLook look;
   look.px = v == f.layout.main ? f.type.body : f.type.small;
   look.words = !f.state.hidden;
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
-  draw_view_panel(f.painter, panel, v, image, f.settings, f.input.scene.bounds, look);
+  draw_view_panel(f.painter, panel, v, image, f.stored, f.input.scene.bounds, look);
   if (f.state.focused == v) f.painter.outline(panel, kText, std::round(4 * f.layout.unit));
   if (f.state.hidden || (f.state.hovered == v && !f.state.held_at)) return;
   const std::optional<glm::ivec2> pixel = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;

@@ -79,6 +79,7 @@ struct Frame {
   Layout layout;
   Type type;  // text sizes of this frame
   Painter painter;
+  Settings stored{};  // the settings with nothing left to choose: what is stored, and where
 
   glm::ivec2 frame_size() const { return input.report.size.x > 0 ? input.report.size : settings.size; }
   std::optional<glm::ivec2> held_pixel() const {

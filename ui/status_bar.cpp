@@ -33,9 +33,10 @@ std::string three(const glm::vec3& v, int digits) {
 
 std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
   std::string text = fmt::format("pixel {}, {}", p.pixel.x, p.pixel.y);
+  if (!p.object_name.empty()) text += fmt::format("   {}", p.object_name);
   if (!p.surface) return text + "   no surface: the background";
   text += fmt::format("   albedo {}", three(p.albedo, 2));
-  if (facts(f.settings.layout).stores_roughness())
+  if (facts(f.stored.layout).stores_roughness())
     text += fmt::format("   roughness {:.2f} {}", p.roughness, roughness_word(p.roughness));
   text += fmt::format("   normal {} {}   {:.1f} units away", three(p.normal, 2), facing(p.normal), p.range);
   text +=

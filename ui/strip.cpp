@@ -9,19 +9,25 @@
 namespace gbl::ui {
 namespace {
 
+constexpr size_t kMostTargets = 3;  // one below the other; more stand in columns
+
 // The first screen's question: from its camera cull `back` loses a whole light.
 constexpr const char* kFirstQuestion = "Press C. One pool of light goes out. Why?";
 
 std::vector<std::string> targets_of(const std::vector<Attachment>& all, Pass pass) {
-  std::vector<std::string> lines;
+  std::vector<const Attachment*> written;
   for (const Attachment& a : all)
-    if (a.written_by == pass)
-      lines.push_back(fmt::format("{}   {}   {} B", a.name, row(a.format).label, row(a.format).bytes));
+    if (a.written_by == pass) written.push_back(&a);
+  std::vector<std::string> lines;
+  for (const Attachment* a : written) {
+    std::string_view name = a->name;
+    if (written.size() > kMostTargets && name.starts_with("gbuffer.")) name.remove_prefix(8);  // many: short names
+    lines.push_back(fmt::format("{}   {}   {} B", name, row(a->format).label, row(a->format).bytes));
+  }
   return lines;
 }
 
 constexpr Pass kFlow[] = {Pass::geometry, Pass::lighting, Pass::combine};
-constexpr size_t kMostTargets = 3;
 
 void draw_arrow(Painter& p, const Box& gap) {
   const float y = (gap.min.y + gap.max.y) / 2, size = gap.width() * 0.28f;
@@ -36,16 +42,22 @@ float widest(const std::vector<std::string>& lines, float px) {
   return width;
 }
 
+size_t columns_of(const std::vector<std::string>& lines) { return (lines.size() + kMostTargets - 1) / kMostTargets; }
+
 // Fill → Light → Combine, each with the targets that it writes; all lines in one size, each box as wide as it needs
 // and a third of what is left over. Returns the height used.
 float draw_flow(Frame& f, const Box& room, float most_height) {
-  const std::vector<Attachment> all = attachments(f.settings);
+  const std::vector<Attachment> all = attachments(f.stored);
   const std::vector<std::string> lines[] = {targets_of(all, kFlow[0]), targets_of(all, kFlow[1]),
                                             targets_of(all, kFlow[2])};
   const float gap = std::round(28 * f.layout.unit), pad = std::round(7 * f.layout.unit);
   float px = f.type.body;
   const auto height = [&] { return 2 * pad + kMostTargets * line_height(px); };
-  const auto need = [&](int i) { return widest(lines[i], px) + text_size(pass_label(kFlow[i]), px + 2).x + 5 * pad; };
+  const auto column_width = [&](int i) { return widest(lines[i], px) + 2 * pad; };
+  const auto need = [&](int i) {
+    return column_width(i) * static_cast<float>(columns_of(lines[i])) + text_size(pass_label(kFlow[i]), px + 2).x +
+           3 * pad;
+  };
   const auto spare = [&] { return room.width() - 2 * gap - need(0) - need(1) - need(2); };
   while (px > kSmallestPx && (height() > most_height || spare() < 0)) px -= 1;
   float x = room.min.x;
@@ -55,11 +67,13 @@ float draw_flow(Frame& f, const Box& room, float most_height) {
     f.painter.fill(box, kSurface, 4);
     f.painter.fill({box.min, {box.min.x + pad / 2, box.max.y}}, pass_colour(kFlow[i]));
     const ImVec2 title{box.min.x + 2 * pad, (box.min.y + box.max.y - px - 2) / 2};
-    ImVec2 at{title.x + f.painter.text(title, px + 2, pass_colour(kFlow[i]), pass_label(kFlow[i])).x + 2 * pad,
-              (box.min.y + box.max.y - static_cast<float>(lines[i].size()) * line_height(px)) / 2};
-    for (const std::string& line : lines[i]) {
-      f.painter.text({at.x, at.y + above_text(px)}, px, kText, line);
-      at.y += line_height(px);
+    const float left = title.x + f.painter.text(title, px + 2, pass_colour(kFlow[i]), pass_label(kFlow[i])).x + 2 * pad;
+    const size_t rows_used = std::min(lines[i].size(), kMostTargets);
+    const float top = (box.min.y + box.max.y - static_cast<float>(rows_used) * line_height(px)) / 2;
+    for (size_t k = 0; k < lines[i].size(); ++k) {
+      const auto column = static_cast<float>(k / kMostTargets), line = static_cast<float>(k % kMostTargets);
+      f.painter.text({left + column * column_width(i), top + line * line_height(px) + above_text(px)}, px, kText,
+                     lines[i][k]);
     }
     if (i > 0) draw_arrow(f.painter, {{x - gap, box.min.y}, {x, box.max.y}});
     x += width + gap;

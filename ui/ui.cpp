@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/resolve.h"
 #include "ui/keys.h"
 #include "ui/state.h"
 
@@ -57,6 +58,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   f.type = type_of(s);
   f.layout = make_layout(layout_input(s, settings, f.type));
   take_input(f, keys);
+  f.stored = resolve(settings, input.scene).settings;
 
   f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, kBackground);
   draw_pictures(f);

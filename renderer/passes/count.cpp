@@ -51,12 +51,14 @@ void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& ta
   gl::Defines defines = frame.defines();
   defines.push_back({"SPLIT", frame.split()});
   const gl::Program& program = programs_.get("fullscreen.vert", "probe.frag", defines);
+  draw_ids(frame);
   Canvas& canvas = targets.probe();
   begin_drawing(canvas.framebuffer, canvas.texture.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
   gl::bind_texture(kLitUnit, *targets.texture(Stores::lit));
   gl::bind_texture(kCountUnit, targets.counts().texture);
+  gl::bind_texture(kIdUnit, targets.ids().texture);
   glUseProgram(program.id());
   glUniform2i(program.uniform("pixel"), pixel.x, s.size.y - 1 - pixel.y);
   shapes_.draw_fullscreen();

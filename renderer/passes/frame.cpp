@@ -72,7 +72,7 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   const Settings& s = resolved.settings;
   targets.prepare(s);
   targets.lights = lights_of(s, scene.scene());
-  targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = false;
+  targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = targets.ids_valid = false;
   targets.light_kinds = std::any_of(targets.lights.begin(), targets.lights.end(), [](const Light& l) {
     return l.kind != LightKind::point || l.coefficients != glm::dvec3(0);
   });
@@ -99,7 +99,7 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
       pass("combine", [&] { return draw_materials_over_light(frame); });
   }
   if (s.antialias == Antialias::edge_blur) pass("antialias", [&] { return draw_edge_blur(frame); });
-  if (has_transparent(scene.scene())) pass("transparent", [&] { return draw_transparent(frame); });
+  if (has_transparent(scene.scene()) || s.lights.markers == LightMarkers::on) pass("transparent", [&] { return draw_transparent(frame); });
   report.size = s.size;
   report.drawn = s;
   report.choices = std::move(resolved.notes);

@@ -14,11 +14,9 @@ gl::Defines LightingPass::defines() const {
 int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer& into) {
   begin_drawing(into, frame.settings.size, {.blend = gl::Blend::add});
   const int targets = output == LightOutput::split ? 2 : 1;
-  const float grey = frame.mistaken("light-target-grey-clear") ? 0.2f : 0;
-  const float clear[] = {grey, grey, grey, 0};
   const bool begun = output == LightOutput::sum && sum_begins_in_geometry(frame.settings);
   for (int i = 0; i < targets && !begun; ++i)
-    glClearBufferfv(GL_COLOR, i, output == LightOutput::count ? kNothing : clear);
+    glClearBufferfv(GL_COLOR, i, kNothing);
   if (frame.targets.lights.empty()) return 0;
   bind_gbuffer(frame);
   bind_lights(frame);

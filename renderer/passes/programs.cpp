@@ -35,6 +35,7 @@ constexpr SamplerUnit kSamplers[] = {
     {"gbuffer_ambient", kAmbientUnit},
     {"gbuffer_shininess", kShininessUnit},
     {"gbuffer_position", kPositionUnit},
+    {"ids", kIdUnit},
 };
 
 std::string constant_name(const char* prefix, const char* id) {

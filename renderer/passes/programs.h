@@ -23,6 +23,7 @@ enum Unit {
   kAmbientUnit,
   kShininessUnit,
   kPositionUnit,
+  kIdUnit,
   kLightUnit,
   kDiffuseUnit,
   kSpecularUnit,

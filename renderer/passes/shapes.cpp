@@ -30,10 +30,12 @@ const Sphere& Shapes::sphere(VolumeLevel level) {
   return *s;
 }
 
-void Shapes::draw_fullscreen() {
+void Shapes::draw_fullscreen() { draw_generated(3, 1); }
+
+void Shapes::draw_generated(int vertices, int instances) {
   if (!empty_) empty_ = gl::make_empty_vertex_array();
   glBindVertexArray(empty_.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, instances);
 }
 
 }  // namespace gbl

@@ -60,6 +60,7 @@ class Targets {
   Settings drawn;                        // of the frame drawn last, with nothing left to choose
   gl::Buffer frame_block;
   bool counts_valid = false;  // of the frame drawn last
+  bool ids_valid = false;
   bool counts_lit_valid = false;
 
  private:

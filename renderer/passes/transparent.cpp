@@ -3,6 +3,20 @@
 #include "renderer/passes/forward.h"
 
 namespace gbl {
+namespace {
+
+int draw_markers(const Frame& frame, const gl::Framebuffer& into, gl::DepthTest test) {
+  const auto lights = static_cast<GLsizei>(frame.targets.lights.size());
+  if (frame.settings.lights.markers == LightMarkers::off || lights == 0) return 0;
+  const bool tested = test != gl::DepthTest::off;
+  begin_drawing(into, frame.settings.size, depth_tested(frame, test, {.depth_write = tested, .cull = gl::Cull::back}));
+  bind_lights(frame);
+  glUseProgram(frame.programs.get("light_marker.vert", "light_marker.frag", frame.shaded_defines()).id());
+  frame.shapes.draw_generated(36, lights);
+  return 1;
+}
+
+}  // namespace
 
 int draw_transparent(const Frame& frame) {
   Targets& t = frame.targets;
@@ -13,10 +27,12 @@ int draw_transparent(const Frame& frame) {
   glDisable(GL_SCISSOR_TEST);
   glColorMask(true, true, true, true);
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  const std::vector<ObjectDraw> draws = prepare_objects(frame, true);
-  begin_drawing(composed.framebuffer, size, depth_tested(frame, gl::DepthTest::less, {.blend = gl::Blend::alpha}));
   t.composed_valid = true;
-  return draw_shaded_objects(frame, draws, {});
+  const gl::DepthTest test = frame.mistaken("forward-without-depth") ? gl::DepthTest::off : gl::DepthTest::less;
+  const int markers = draw_markers(frame, composed.framebuffer, test);
+  const std::vector<ObjectDraw> draws = prepare_objects(frame, true);
+  begin_drawing(composed.framebuffer, size, depth_tested(frame, test, {.blend = gl::Blend::alpha}));
+  return markers + draw_shaded_objects(frame, draws, {});
 }
 
 }  // namespace gbl

@@ -60,7 +60,10 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   glUniform3fv(program.uniform("sky_colour"), 1, glm::value_ptr(sky_of(view)));
   glUniform3fv(program.uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
   shapes_.draw_fullscreen();
-  if (options.overlays) draw_volume_wires(frame, canvas);
+  if (options.overlays) {
+    draw_volume_wires(frame, canvas);
+    draw_outline(frame, canvas);
+  }
 }
 
 }  // namespace gbl

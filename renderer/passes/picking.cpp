@@ -1,0 +1,33 @@
+// Which object is seen where: drawn on demand, so that no layout has to store ids, and read back without waiting.
+#include "renderer/passes/objects.h"
+
+namespace gbl {
+
+void draw_ids(const Frame& frame) {
+  Targets& t = frame.targets;
+  if (t.ids_valid) return;
+  const glm::ivec2 size = frame.settings.size;
+  const gl::Framebuffer& into = t.ids().framebuffer;
+  begin_drawing(into, size, {});
+  constexpr GLuint kNone[4] = {};
+  glClearBufferuiv(GL_COLOR, 0, kNone);
+  for (const bool transparent : {false, true}) {
+    const std::vector<ObjectDraw> draws = prepare_objects(frame, transparent);
+    begin_drawing(into, size, depth_tested(frame, gl::DepthTest::less_equal, {}));
+    draw_objects(frame, draws, "ids.frag", frame.surface_defines());
+  }
+  t.ids_valid = true;
+}
+
+void draw_outline(const Frame& frame, Canvas& into) {
+  if (frame.settings.view.object == 0) return;
+  draw_ids(frame);
+  begin_drawing(into.framebuffer, frame.settings.size, {});
+  gl::bind_texture(kIdUnit, frame.targets.ids().texture);
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "outline.frag", {});
+  glUseProgram(program.id());
+  glUniform1i(program.uniform("picked"), frame.settings.view.object);
+  frame.shapes.draw_fullscreen();
+}
+
+}  // namespace gbl

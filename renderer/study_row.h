@@ -1,0 +1,45 @@
+#pragma once
+// One row of a study: the columns by which set-ups are compared, with the same names in JSON, CSV and window.
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/frame_report.h"
+#include "renderer/options.h"
+
+namespace gbl {
+
+struct Column {
+  const char* id;
+  const char* unit;  // "" = a share or a count
+  const char* help;
+};
+
+// What is measured against the reference; null until one is drawn.
+std::span<const Column> error_columns();
+
+// Times of repeated frames of one pass, milliseconds.
+struct TimeSpread {
+  double median = 0, p10 = 0, p90 = 0;
+};
+// Nearest-rank percentiles; the list must not be empty.
+TimeSpread spread_of(std::vector<double> ms);
+
+struct Timing {
+  std::map<std::string, std::vector<double>> pass_ms;  // by pass, one number per frame
+  int frames = 0;
+};
+
+struct Machine {
+  std::string driver, device;
+};
+
+// All columns: errors (null), times, pairs, bytes, draw calls, machine, settings.
+Json study_row(const FrameReport&, const Timing&, const Machine&);
+
+// When is a row measured long enough? 20 frames or 20 s, at least 3 frames, 1 if one exceeds 20 s.
+bool measured_enough(int frames, double seconds, double slowest_s);
+
+}  // namespace gbl
