@@ -58,12 +58,27 @@ Rows named_rows(const Table& table) {
   return out;
 }
 
+void append_degrees(Json& j, const std::optional<Degrees>& d, const std::string& suffix) {
+  j["mean_deg" + suffix] = d ? Json(d->mean) : Json(nullptr);
+  j["p99_deg" + suffix] = d ? Json(d->p99) : Json(nullptr);
+  j["max_deg" + suffix] = d ? Json(d->max) : Json(nullptr);
+}
+
+// The numbers stand before the long texts: nobody should have to scroll for them.
 Rows encoding_rows() {
   Rows out = value_rows<NormalEncoding>();
   for (size_t i = 0; i < out.size(); ++i) {
     const EncodingRow& e = row_of(static_cast<NormalEncoding>(i));
-    Json& j = out[i].columns;
-    j["bits"] = e.bits, j["mean_deg"] = e.mean_deg, j["p99_deg"] = e.p99_deg, j["max_deg"] = e.max_deg;
+    Json j;
+    for (const auto& [key, value] : out[i].columns.items()) {
+      if (key == "help") {
+        j["bits"] = e.bits();
+        append_degrees(j, e.error, "");
+        append_degrees(j, e.toward_zero, "_toward_zero");
+      }
+      j[key] = value;
+    }
+    out[i].columns = j;
   }
   return out;
 }

@@ -35,7 +35,24 @@ enum class Colour { srgb, as_tutorial };
 
 // ---- how it is drawn --------------------------------------------------------------------------------------
 enum class Layout { albedo_roughness, nclgl, float32 };
-enum class NormalEncoding { oct16, oct8, xyz8, stereo16f };
+enum class NormalEncoding {
+  xyz8,
+  xyz8_raw,
+  xyz10,
+  xyz16f,
+  xyz32f,
+  bestfit8,
+  stereo16f,
+  lambert16,
+  spherical16,
+  oct8,
+  oct10,
+  oct12,
+  oct14,
+  oct16,
+  oct16_precise,
+  xy_sqrt
+};
 enum class NormalSpace { world };
 enum class PositionSource { depth };
 enum class PositionReconstruct { view_ray, inverse_viewproj };

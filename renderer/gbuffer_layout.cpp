@@ -1,5 +1,7 @@
 #include "renderer/gbuffer_layout.h"
 
+#include "renderer/normal_encoding.h"
+
 namespace gbl {
 namespace {
 
@@ -23,16 +25,6 @@ constexpr MaterialRow kMaterials[] = {
      {true, false, ""}},
 };
 
-Format normal_format(NormalEncoding e) {
-  switch (e) {
-    case NormalEncoding::oct16: return Format::rg16ui;
-    case NormalEncoding::oct8: return Format::rg8;
-    case NormalEncoding::xyz8: return Format::rgba8;
-    case NormalEncoding::stereo16f: return Format::rg16f;
-  }
-  return Format::rgba8;
-}
-
 Format depth_format(DepthFormat f) {
   constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f};
   return kDepth[static_cast<int>(f)];
@@ -55,7 +47,7 @@ int bytes_per_pixel(const Settings& s, Pass pass) {
 std::vector<Attachment> attachments(const Settings& s) {
   std::vector<Attachment> all;
   all.push_back(kMaterials[static_cast<int>(s.layout)].attachment);
-  all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, normal_format(s.normal.encoding),
+  all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, row_of(s.normal.encoding).format,
                  row(s.normal.encoding).label});
   if (s.layout == Layout::float32) {
     all.push_back(

@@ -1,7 +1,9 @@
 #include "renderer/passes/programs.h"
 
+#include <algorithm>
 #include <cctype>
 
+#include "renderer/normal_encoding.h"
 #include "renderer/options.h"
 
 namespace gbl {
@@ -38,11 +40,25 @@ std::string constant_name(const char* prefix, const char* id) {
   return name;
 }
 
-// NORMAL_ENCODING = the chosen value, and NORMAL_OCT16, NORMAL_XYZ8, … = each row's value.
+// LAYOUT = the chosen value, and LAYOUT_NCLGL, LAYOUT_FLOAT32, … = each row's value.
 template <class E>
 void append_axis(gl::Defines& out, const char* name, const char* prefix, E chosen_value) {
   out.push_back({name, static_cast<int>(chosen_value)});
   for (const ValueRow& r : rows<E>()) out.push_back({constant_name(prefix, r.id), r.value});
+}
+
+// The encoding's functions by name, and how its code lies in a texel: the shader knows no list of encodings.
+void append_encoding(gl::Defines& out, NormalEncoding e) {
+  std::string name = row(e).id;
+  std::replace(name.begin(), name.end(), '-', '_');
+  out.push_back({"ENCODE_NORMAL", "encode_" + name});
+  out.push_back({"DECODE_NORMAL", "decode_" + name});
+  out.push_back({"NORMAL_BITS", row_of(e).bits_per_channel});
+  out.push_back({"NORMAL_STORAGE", static_cast<int>(row_of(e).storage())});
+  out.push_back({"STORAGE_UNORM8", static_cast<int>(NormalStorage::unorm8)});
+  out.push_back({"STORAGE_UINTS", static_cast<int>(NormalStorage::uints)});
+  out.push_back({"STORAGE_WORD", static_cast<int>(NormalStorage::word)});
+  out.push_back({"STORAGE_FLOATS", static_cast<int>(NormalStorage::floats)});
 }
 
 // Every program sees these constants.
@@ -58,7 +74,7 @@ void append_common(gl::Defines& out) {
 gl::Defines gbuffer_defines(const Settings& s) {
   gl::Defines out;
   append_axis(out, "LAYOUT", "LAYOUT_", s.layout);
-  append_axis(out, "NORMAL_ENCODING", "NORMAL_", s.normal.encoding);
+  append_encoding(out, s.normal.encoding);
   append_axis(out, "POSITION_RECONSTRUCT", "RECONSTRUCT_", s.position.reconstruct);
   append_axis(out, "COLOUR", "COLOUR_", s.colour);
   append_axis(out, "SHADING_MODEL", "MODEL_", s.shading.model);
