@@ -88,7 +88,8 @@ constexpr ValueRow kNormalEncoding[] = {
   {.value = at(NormalEncoding::xy_sqrt), .id = "xy-sqrt", .label = "xy 12+12, z = +sqrt", .help = "x and y in 12-bit codes, z from the unit length: its sign is lost, so what faces -Z is mirrored", .cost = "32 bits (24 used)", .source = "nclgl tutorial 15, section G-Buffers", .pitfall = "xy-only-z-sqrt"},
 };
 constexpr ValueRow kNormalSpace[] = {
-  {.value = at(NormalSpace::world), .id = "world", .label = "world", .help = "normals are stored along the world's axes"},
+  {.value = at(NormalSpace::world), .id = "world", .label = "world", .help = "normals are stored along the world's axes: the pole -Z of an encoding is a direction that a wall may face"},
+  {.value = at(NormalSpace::view), .id = "view", .label = "view", .help = "normals are stored along the camera's axes: the pole -Z faces away and is hardly seen, but at silhouettes z < 0 remains", .source = "engine blog, parts 30 and 31"},
 };
 constexpr ValueRow kPositionSource[] = {
   {.value = at(PositionSource::depth), .id = "depth", .label = "from depth", .help = "position is recomputed from the depth buffer", .cost = "no attachment"},

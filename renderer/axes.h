@@ -53,7 +53,7 @@ enum class NormalEncoding {
   oct16_precise,
   xy_sqrt
 };
-enum class NormalSpace { world };
+enum class NormalSpace { world, view };
 enum class PositionSource { depth };
 enum class PositionReconstruct { view_ray, inverse_viewproj };
 enum class DepthFormat { d16, d24, d32f };

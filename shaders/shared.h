@@ -38,6 +38,7 @@
 GBL_BLOCK(FrameBlock) {
   mat4 clip_from_relative;   // relative = world axes, origin at the camera
   mat4 world_from_clip;      // float inverse of the float view-projection: the pitfall's matrix
+  mat4 view_from_world;      // the rotation alone
   vec4 ray_forward;          // see ViewRays in camera.h; w = 1 if orthographic
   vec4 ray_right;
   vec4 ray_up;

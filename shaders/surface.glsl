@@ -27,6 +27,14 @@ const float kRoughnessNotStored = 0.5;
 // ---- normal ------------------------------------------------------------------------------------------------
 // ENCODE_NORMAL and DECODE_NORMAL name the pair of functions of the encoding's row; NORMAL_STORAGE says how its code
 // lies in a texel, NORMAL_BITS how many bits a channel of it has.
+#if NORMAL_SPACE == SPACE_VIEW
+vec3 stored_from_world(vec3 n) { return mat3(view_from_world) * n; }
+vec3 world_from_stored(vec3 n) { return n * mat3(view_from_world); }  // a rotation: the transpose turns it back
+#else
+vec3 stored_from_world(vec3 n) { return n; }
+vec3 world_from_stored(vec3 n) { return n; }
+#endif
+
 #if NORMAL_STORAGE == STORAGE_UNORM8 || NORMAL_STORAGE == STORAGE_FLOATS
 #define NORMAL_SAMPLER sampler2D
 #define NORMAL_OUTPUT vec4
@@ -51,8 +59,8 @@ vec4 texel_from_code(vec3 code) { return vec4(code, 1.0); }
 vec3 code_from_texel(vec4 stored) { return stored.xyz; }
 #endif
 
-NORMAL_OUTPUT pack_normal(vec3 n) { return texel_from_code(ENCODE_NORMAL(n)); }
-vec3 unpack_normal(NORMAL_OUTPUT stored) { return DECODE_NORMAL(code_from_texel(stored)); }
+NORMAL_OUTPUT pack_normal(vec3 n) { return texel_from_code(ENCODE_NORMAL(stored_from_world(n))); }
+vec3 unpack_normal(NORMAL_OUTPUT stored) { return world_from_stored(DECODE_NORMAL(code_from_texel(stored))); }
 
 #if NORMAL_STORAGE == STORAGE_WORD
 // For a layout that keeps the normal in a word of its own, beside other bits; those above the code's are ignored.

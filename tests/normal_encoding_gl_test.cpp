@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/gl/pass_state.h"
+#include "renderer/passes/frame_block.h"
 #include "renderer/passes/programs.h"
 #include "tests/gl_fixture.h"
 
@@ -116,6 +117,34 @@ TEST_F(NormalEncodings, GpuCodesAndNormalsAreTheCpus) {
     EXPECT_LT(worst_deg, 2e-5) << "float arithmetic of the decoding; an inverse square root may be off by some ulp";
     EXPECT_EQ(without_normal > 0, e == NormalEncoding::stereo16f) << "the directions hold its pole -Z";
     EXPECT_LT(without_normal, 100);
+  });
+}
+
+// normal.space=view: what comes back is along the world's axes again, as good as the encoding is.
+TEST_F(NormalEncodings, ViewSpaceTurnsThereAndBack) {
+  Settings s = square();
+  s.normal.space = NormalSpace::view;
+  const glm::dmat4 view_from_world = glm::mat4_cast(glm::conjugate(orientation_from_yaw_pitch(37, -22)));
+  shared::FrameBlock block{};
+  block.view_from_world = glm::mat4(view_from_world);
+  const gl::Buffer buffer = gl::Buffer::make();
+  gl::write_uniform_block(buffer, 0, &block, sizeof block);
+  const std::vector<glm::vec4> input = directions();
+  for_each_row<NormalEncoding>([&](NormalEncoding e, auto& r) {
+    SCOPED_TRACE(r.id);
+    const Result gpu = through_the_gpu(s, e);
+    const Degrees& column = row_of(e).toward_zero.value_or(row_of(e).error);
+    double worst_deg = 0, codes_off = 0;
+    for (size_t i = 0; i < input.size(); ++i) {
+      const glm::dvec3 n(input[i]), turned = view_from_world * glm::dvec4(n, 0);
+      if (row_of(e).lost && row_of(e).lost(turned)) continue;
+      worst_deg = std::max(worst_deg, angle_deg(n, glm::dvec3(gpu.decoded[i])));
+      codes_off += glm::dvec3(gpu.codes[i]) != stored_code(e, turned);
+    }
+    // Two rotations in float beside it: 4e-7 radians.
+    EXPECT_LE(worst_deg, 1.005 * column.max + 5e-5);
+    const double few = row_of(e).whole_codes() ? 0.1 * kSide * kSide : kSide * kSide;
+    EXPECT_LE(codes_off, few) << "the codes are those of the turned direction, but for float's digits";
   });
 }
 

@@ -51,9 +51,9 @@ void upload_frame_block(const Frame& frame) {
   const ViewRays rays = view_rays(c, frame.aspect);
   shared::FrameBlock block{};
   block.clip_from_relative = glm::mat4(frame.clip_from_relative);
+  block.view_from_world = glm::mat4(glm::mat4_cast(glm::conjugate(c.orientation)));
   // Float from here on, as the source's shader computes it: its noise is the pitfall.
-  const glm::mat4 view_from_world(glm::mat4_cast(glm::conjugate(c.orientation)) * glm::dmat4(1));
-  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect)) * view_from_world *
+  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect)) * block.view_from_world *
                                     glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
                                               glm::vec4(-glm::vec3(c.position), 1));
   block.world_from_clip = glm::inverse(clip_from_world);

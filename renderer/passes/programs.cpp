@@ -75,6 +75,7 @@ gl::Defines gbuffer_defines(const Settings& s) {
   gl::Defines out;
   append_axis(out, "LAYOUT", "LAYOUT_", s.layout);
   append_encoding(out, s.normal.encoding);
+  append_axis(out, "NORMAL_SPACE", "SPACE_", s.normal.space);
   append_axis(out, "POSITION_RECONSTRUCT", "RECONSTRUCT_", s.position.reconstruct);
   append_axis(out, "COLOUR", "COLOUR_", s.colour);
   append_axis(out, "SHADING_MODEL", "MODEL_", s.shading.model);
