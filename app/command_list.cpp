@@ -208,12 +208,15 @@ std::string cell(const Json& v) {
   return all;
 }
 
-// Columns that say something in at least one row.
+// Columns that say something in at least one row, in the rows' own order.
 std::vector<std::string> columns_of(const Json& all) {
-  std::vector<std::string> out;
+  std::vector<std::string> known, out;
   for (const Json& r : all)
     for (const auto& [key, value] : r.items())
-      if (!cell(value).empty() && std::find(out.begin(), out.end(), key) == out.end()) out.push_back(key);
+      if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
+  for (const std::string& key : known)
+    if (std::any_of(all.begin(), all.end(), [&](const Json& r) { return r.contains(key) && !cell(r[key]).empty(); }))
+      out.push_back(key);
   return out;
 }
 
@@ -241,25 +244,33 @@ std::string as_text(const Json& all) {
         r.contains("pitfall") && !cell(r["pitfall"]).empty() ? "  UNSOUND: " + cell(r["pitfall"]) : "";
     const std::string values = r.contains("values") ? "  (" + cell(r["values"]) + ")" : "";
     const std::string help = r.contains("help") ? cell(r["help"]) : "";
-    out += fmt::format("{:<{}}  {}{}{}{}{}\n", cell(r["id"]), width, key, cell(r["label"]),
-                       help.empty() ? "" : ": " + help, values, pitfall);
+    std::string numbers;
+    for (const auto& [name, value] : r.items())
+      if (value.is_number()) numbers += (numbers.empty() ? "  [" : ", ") + name + " " + cell(value);
+    out += fmt::format("{:<{}}  {}{}{}{}{}{}\n", cell(r["id"]), width, key, cell(r["label"]),
+                       help.empty() ? "" : ": " + help, values, numbers.empty() ? "" : numbers + "]", pitfall);
   }
   return out;
 }
 
 }  // namespace
 
+std::string list_markdown(const std::string& what) {
+  Json all = as_json(list_called(what).rows(), {});
+  for (Json& r : all) r.erase("reason"), r.erase("available");
+  return as_markdown(all);
+}
+
 ExitCode run_list(const Arguments& a) {
   const List& list = list_called(a.what);
-  const Availability here = a.markdown ? Availability{} : availability(a);
-  const Json all = as_json(list.rows(), here);
+  if (a.markdown && !a.json) {
+    fmt::print("{}", list_markdown(a.what));
+    return ExitCode::done;
+  }
+  const Json all = as_json(list.rows(), availability(a));
   if (a.json)
     fmt::print("{}\n", all.dump(2));
-  else if (a.markdown) {
-    Json shown = all;
-    for (Json& r : shown) r.erase("reason"), r.erase("available");
-    fmt::print("{}", as_markdown(shown));
-  } else
+  else
     fmt::print("{}", as_text(all));
   return ExitCode::done;
 }
