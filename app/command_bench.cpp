@@ -13,9 +13,7 @@ namespace {
 constexpr double kCountOnlyMs = 60000;  // a frame predicted longer than this is counted, not timed
 constexpr double kMaxLitTests = 4e9;
 
-double now_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 Timing timed(Lab& lab, const Settings& s) {
   lab.draw(s);  // warm-up: programs are compiled, targets made
@@ -41,9 +39,10 @@ Timing timed(Lab& lab, const Settings& s) {
 void print_text(const Json& row) {
   for (const auto& [key, value] : row.items())
     if (!value.is_null() && key != "settings")
-      fmt::print("{:<34} {}\n", key, value.is_number_float() ? fmt::format("{:.4g}", value.get<double>())
-                                     : value.is_string()     ? value.get<std::string>()
-                                                             : value.dump());
+      fmt::print("{:<34} {}\n", key,
+                 value.is_number_float() ? fmt::format("{:.4g}", value.get<double>())
+                 : value.is_string()     ? value.get<std::string>()
+                                         : value.dump());
   fmt::print("{:<34} no reference to measure against yet\n", "errors");
 }
 

@@ -7,8 +7,10 @@
 #include "app/headless.h"
 #include "renderer/gl/device.h"
 #include "renderer/lessons.h"
+#include "renderer/mistakes.h"
 #include "renderer/normal_encoding.h"
 #include "renderer/options.h"
+#include "renderer/position_source.h"
 #include "renderer/presets.h"
 #include "renderer/scenes/builtin_scenes.h"
 #include "ui/ui.h"
@@ -58,12 +60,59 @@ Rows named_rows(const Table& table) {
   return out;
 }
 
+void append_degrees(Json& j, const std::optional<Degrees>& d, const std::string& suffix) {
+  j["mean_deg" + suffix] = d ? Json(d->mean) : Json(nullptr);
+  j["p99_deg" + suffix] = d ? Json(d->p99) : Json(nullptr);
+  j["max_deg" + suffix] = d ? Json(d->max) : Json(nullptr);
+}
+
+// The numbers stand before the long texts: nobody should have to scroll for them.
 Rows encoding_rows() {
   Rows out = value_rows<NormalEncoding>();
   for (size_t i = 0; i < out.size(); ++i) {
     const EncodingRow& e = row_of(static_cast<NormalEncoding>(i));
-    Json& j = out[i].columns;
-    j["bits"] = e.bits, j["mean_deg"] = e.mean_deg, j["p99_deg"] = e.p99_deg, j["max_deg"] = e.max_deg;
+    Json j;
+    for (const auto& [key, value] : out[i].columns.items()) {
+      if (key == "help") {
+        j["bits"] = e.bits();
+        append_degrees(j, e.error, "");
+        append_degrees(j, e.toward_zero, "_toward_zero");
+      }
+      j[key] = value;
+    }
+    out[i].columns = j;
+  }
+  return out;
+}
+
+// Stored sources by their ids; positions from depth by format and reconstruction: errors in world units.
+Rows position_list() {
+  Rows out;
+  for (const PositionRow& r : position_rows()) {
+    const bool from_depth = r.source == PositionSource::depth;
+    const ValueRow& source = row(r.source);
+    const ValueRow& how = from_depth ? row(r.reconstruct) : source;
+    Json j = base(id_of(r).c_str(), how.label);
+    j["sound"] = source.sound() && how.sound();
+    for (size_t k = 0; k < std::size(kPositionRanges); ++k)
+      j[fmt::format("max_error_at_{:g}", kPositionRanges[k])] = r.max_error[k];
+    j["help"] = how.help;
+    j["cost"] = from_depth ? row(r.format).cost : source.cost;
+    j["source"] = how.source;
+    out.push_back({j, from_depth ? row(r.format).needs : Feature::none});
+  }
+  return out;
+}
+
+template <class Table>
+Rows mistake_rows(const Table& table) {
+  Rows out;
+  for (const auto& m : table) {
+    Json j = base(m.id, m.label);
+    j["sound"] = false;
+    j["help"] = m.help;
+    j["source"] = m.source;
+    out.push_back({j});
   }
   return out;
 }
@@ -132,7 +181,8 @@ const List kLists[] = {
     {"scenes", [] { return named_rows(builtin_scenes()); }},
     {"layouts", [] { return value_rows<Layout>(); }},
     {"encodings", encoding_rows},
-    {"positions", [] { return value_rows<PositionReconstruct>(); }},
+    {"positions", position_list},
+    {"mistakes", [] { return mistake_rows(mistakes()); }},
     {"methods", [] { return value_rows<LightMethod>(); }},
     {"culls", [] { return value_rows<LightCull>(); }},
     {"views", view_rows},
@@ -193,12 +243,15 @@ std::string cell(const Json& v) {
   return all;
 }
 
-// Columns that say something in at least one row.
+// Columns that say something in at least one row, in the rows' own order.
 std::vector<std::string> columns_of(const Json& all) {
-  std::vector<std::string> out;
+  std::vector<std::string> known, out;
   for (const Json& r : all)
     for (const auto& [key, value] : r.items())
-      if (!cell(value).empty() && std::find(out.begin(), out.end(), key) == out.end()) out.push_back(key);
+      if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
+  for (const std::string& key : known)
+    if (std::any_of(all.begin(), all.end(), [&](const Json& r) { return r.contains(key) && !cell(r[key]).empty(); }))
+      out.push_back(key);
   return out;
 }
 
@@ -226,25 +279,33 @@ std::string as_text(const Json& all) {
         r.contains("pitfall") && !cell(r["pitfall"]).empty() ? "  UNSOUND: " + cell(r["pitfall"]) : "";
     const std::string values = r.contains("values") ? "  (" + cell(r["values"]) + ")" : "";
     const std::string help = r.contains("help") ? cell(r["help"]) : "";
-    out += fmt::format("{:<{}}  {}{}{}{}{}\n", cell(r["id"]), width, key, cell(r["label"]),
-                       help.empty() ? "" : ": " + help, values, pitfall);
+    std::string numbers;
+    for (const auto& [name, value] : r.items())
+      if (value.is_number()) numbers += (numbers.empty() ? "  [" : ", ") + name + " " + cell(value);
+    out += fmt::format("{:<{}}  {}{}{}{}{}{}\n", cell(r["id"]), width, key, cell(r["label"]),
+                       help.empty() ? "" : ": " + help, values, numbers.empty() ? "" : numbers + "]", pitfall);
   }
   return out;
 }
 
 }  // namespace
 
+std::string list_markdown(const std::string& what) {
+  Json all = as_json(list_called(what).rows(), {});
+  for (Json& r : all) r.erase("reason"), r.erase("available");
+  return as_markdown(all);
+}
+
 ExitCode run_list(const Arguments& a) {
   const List& list = list_called(a.what);
-  const Availability here = a.markdown ? Availability{} : availability(a);
-  const Json all = as_json(list.rows(), here);
+  if (a.markdown && !a.json) {
+    fmt::print("{}", list_markdown(a.what));
+    return ExitCode::done;
+  }
+  const Json all = as_json(list.rows(), availability(a));
   if (a.json)
     fmt::print("{}\n", all.dump(2));
-  else if (a.markdown) {
-    Json shown = all;
-    for (Json& r : shown) r.erase("reason"), r.erase("available");
-    fmt::print("{}", as_markdown(shown));
-  } else
+  else
     fmt::print("{}", as_text(all));
   return ExitCode::done;
 }

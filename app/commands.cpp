@@ -12,7 +12,8 @@ constexpr Command kCommands[] = {
     {"view", "open the window: the lab itself", run_view},
     {"render", "draw without a window: each view as a PNG, a captioned sheet", run_render},
     {"bench", "one set-up measured: times, pairs, bytes, draw calls", run_bench},
-    {"list", "presets, scenes, layouts, encodings, positions, methods, views, overlays, options, keys, lessons",
+    {"list",
+     "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons",
      run_list},
     {"info", "the driver, its limits and its rounding; which features are there and why not", run_info},
 };

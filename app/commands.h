@@ -58,6 +58,7 @@ ExitCode run_view(const Arguments&);
 ExitCode run_render(const Arguments&);
 ExitCode run_bench(const Arguments&);
 ExitCode run_list(const Arguments&);
+std::string list_markdown(const std::string& what);  // as `list WHAT --md` prints it; the README's tables are these
 ExitCode run_info(const Arguments&);
 ExitCode run_start_sheets(const Arguments&);  // what happens without a command and without a display
 

@@ -48,8 +48,25 @@ enum class Layout {
   float32,
   auto_
 };
-enum class NormalEncoding { oct16, oct8, xyz8, stereo16f };
-enum class NormalSpace { world };
+enum class NormalEncoding {
+  xyz8,
+  xyz8_raw,
+  xyz10,
+  xyz16f,
+  xyz32f,
+  bestfit8,
+  stereo16f,
+  lambert16,
+  spherical16,
+  oct8,
+  oct10,
+  oct12,
+  oct14,
+  oct16,
+  oct16_precise,
+  xy_sqrt
+};
+enum class NormalSpace { world, view };
 enum class PositionSource { depth, linear32f, world16f, world32f, view16f, view32f, view_scaled };
 enum class PositionReconstruct { view_ray, inverse_viewproj, inverse_viewproj_varying };
 enum class DepthFormat { d16, d24, d32f, d32f_reversed };

@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "renderer/normal_encoding.h"
+
 namespace gbl {
 namespace {
 
@@ -73,21 +75,13 @@ static_assert([] {
   return true;
 }());
 
+constexpr int kNormalBitsInMaterial = 28;  // of the first word of the compact layouts
+
 // What lighting needs when the materials come later: deferred lighting's thin G-buffer.
 constexpr Attachment kThin =
     of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba8, "rgb: specular colour; a: roughness");
 constexpr Attachment kThinFloat =
     of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba32f, kThin.contents);
-
-Format normal_format(NormalEncoding e) {
-  switch (e) {
-    case NormalEncoding::oct16: return Format::rg16ui;
-    case NormalEncoding::oct8: return Format::rg8;
-    case NormalEncoding::xyz8: return Format::rgba8;
-    case NormalEncoding::stereo16f: return Format::rg16f;
-  }
-  return Format::rgba8;
-}
 
 Attachment position_attachment(PositionSource source) {
   constexpr Format kFormats[] = {Format::r32f,    Format::r32f,    Format::rgba16f, Format::rgba32f,
@@ -156,7 +150,8 @@ bool sum_begins_in_geometry(const Settings& s) {
 
 bool normal_in_material(const Settings& s) {
   return (s.layout == Layout::compact || s.layout == Layout::compact_metal) &&
-         shading_of(s.lights.method) == Shading::deferred && row(s.normal.encoding).id == std::string_view("oct14");
+         shading_of(s.lights.method) == Shading::deferred && row_of(s.normal.encoding).format == Format::r32ui &&
+         row_of(s.normal.encoding).bits() <= kNormalBitsInMaterial;
 }
 
 std::vector<Attachment> attachments(const Settings& s) {
@@ -165,7 +160,7 @@ std::vector<Attachment> attachments(const Settings& s) {
   if (!forward) {
     append_material(s, all);
     if (!normal_in_material(s))
-      all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, normal_format(s.normal.encoding),
+      all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, row_of(s.normal.encoding).format,
                      row(s.normal.encoding).label});
     if (s.position.source != PositionSource::depth) all.push_back(position_attachment(s.position.source));
   }

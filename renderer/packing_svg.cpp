@@ -17,8 +17,7 @@ struct Cell {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text)
-    out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
+  for (const char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
   return out;
 }
 
@@ -40,8 +39,8 @@ std::vector<Cell> cells_of(const Attachment& a) {
     const size_t colon = part.find(':');
     const bool named = colon != std::string_view::npos && part.find_first_not_of("rgba") == colon;
     if (named)
-      cells.push_back({std::string(part.substr(0, colon)), std::string(part.substr(colon + 2)),
-                       bits_of_channels(a.format, colon)});
+      cells.push_back(
+          {std::string(part.substr(0, colon)), std::string(part.substr(colon + 2)), bits_of_channels(a.format, colon)});
     else
       cells.push_back({"", std::string(part), row(a.format).bytes * 8});
   }
@@ -60,13 +59,15 @@ std::string packing_svg(const Settings& s, const std::string& title) {
       most = std::max(most, row(a.format).bytes * 8);
     }
   for (const Attachment& a : shown) {
-    body += fmt::format("<text x=\"10\" y=\"{}\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\" fill=\"#555\">{} · {} B</text>\n",
-                        y + 21, escaped(a.name), kLeft - 10, y + 21, row(a.format).label, row(a.format).bytes);
+    body += fmt::format(
+        "<text x=\"10\" y=\"{}\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\" fill=\"#555\">{} · {} B</text>\n",
+        y + 21, escaped(a.name), kLeft - 10, y + 21, row(a.format).label, row(a.format).bytes);
     double x = kLeft;
     for (const Cell& c : cells_of(a)) {
       const double width = double(kWidth) * c.bits / most;
       body += fmt::format(
-          "<g><rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"#e8eef7\" stroke=\"#335\"/><title>{}, {} bits</title>"
+          "<g><rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"#e8eef7\" stroke=\"#335\"/><title>{}, "
+          "{} bits</title>"
           "<svg x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"><text x=\"6\" y=\"19\">{}{}</text></svg></g>\n",
           x, y, width, kRow - 6, escaped(c.meaning), c.bits, x, y, width, kRow - 6,
           c.channels.empty() ? "" : fmt::format("<tspan font-weight=\"bold\">{}</tspan> ", c.channels),

@@ -113,8 +113,7 @@ double largest_position_error(const PositionRow& r, double range) {
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 160; ++x) {
       const Pixel p{{(2 * x + 1) / 160.0f - 1, (2 * y + 1) / 90.0f - 1}, range * random.in(0.99, 1.01)};
-      const glm::dvec3 truth =
-          p.range * (rays.forward + double(p.ndc.x) * rays.right + double(p.ndc.y) * rays.up);
+      const glm::dvec3 truth = p.range * (rays.forward + double(p.ndc.x) * rays.right + double(p.ndc.y) * rays.up);
       largest = std::max(largest, glm::distance(glm::dvec3(restored(c, r, p, truth)), truth));
     }
   return largest;

@@ -52,6 +52,65 @@ float exponent_of(float roughness) { return shading.x >= 0.0 ? shading.x : expon
 // A layout without roughness: as if every surface were this rough.
 const float kRoughnessNotStored = 0.5;
 
+// ---- normal ------------------------------------------------------------------------------------------------
+// ENCODE_NORMAL and DECODE_NORMAL name the pair of functions of the encoding's row; NORMAL_STORAGE says how its code
+// lies in a texel, NORMAL_BITS how many bits a channel of it has.
+#if NORMAL_SPACE == SPACE_VIEW
+vec3 stored_from_world(vec3 n) { return mat3(view_from_world) * n; }
+vec3 world_from_stored(vec3 n) { return n * mat3(view_from_world); }  // a rotation: the transpose turns it back
+#else
+vec3 stored_from_world(vec3 n) { return n; }
+vec3 world_from_stored(vec3 n) { return n; }
+#endif
+
+#if NORMAL_STORAGE == STORAGE_UNORM8 || NORMAL_STORAGE == STORAGE_FLOATS
+#define NORMAL_SAMPLER sampler2D
+#define NORMAL_OUTPUT vec4
+#else
+#define NORMAL_SAMPLER usampler2D
+#define NORMAL_OUTPUT uvec4
+#endif
+
+#if NORMAL_STORAGE == STORAGE_UNORM8
+vec4 texel_from_code(vec3 code) { return vec4(code / 255.0, 1.0); }
+vec3 code_from_texel(vec4 stored) { return floor(stored.xyz * 255.0 + 0.5); }
+#elif NORMAL_STORAGE == STORAGE_UINTS
+uvec4 texel_from_code(vec3 code) { return uvec4(uvec3(code), 0u); }
+vec3 code_from_texel(uvec4 stored) { return vec3(stored.xyz); }
+#elif NORMAL_STORAGE == STORAGE_WORD
+uint word_from_code(vec3 code) { return word_from_code(code, NORMAL_BITS); }
+vec3 code_from_word(uint word) { return code_from_word(word, NORMAL_BITS); }
+uvec4 texel_from_code(vec3 code) { return uvec4(word_from_code(code), 0u, 0u, 0u); }
+vec3 code_from_texel(uvec4 stored) { return code_from_word(stored.x); }
+#else
+vec4 texel_from_code(vec3 code) { return vec4(code, 1.0); }
+vec3 code_from_texel(vec4 stored) { return stored.xyz; }
+#endif
+
+NORMAL_OUTPUT pack_normal(vec3 n) { return texel_from_code(ENCODE_NORMAL(stored_from_world(n))); }
+vec3 unpack_normal(NORMAL_OUTPUT stored) {
+#if MISTAKE_DECODE_NOT_NORMALISED && NORMAL_STORAGE == STORAGE_UNORM8 && NORMAL_CHANNELS == 3
+  return world_from_stored(code_from_texel(stored) / 255.0 * 2.0 - 1.0);
+#else
+  return world_from_stored(DECODE_NORMAL(code_from_texel(stored)));
+#endif
+}
+
+#if NORMAL_STORAGE == STORAGE_WORD
+// For a layout that keeps the normal in a word of its own, beside other bits; those above the code's are ignored.
+uint normal_word(vec3 n) { return pack_normal(n).x; }
+vec3 normal_of_word(uint word) { return unpack_normal(uvec4(word, 0u, 0u, 0u)); }
+#endif
+
+// The code as a colour.
+vec4 raw_normal(NORMAL_OUTPUT stored) {
+#if NORMAL_STORAGE == STORAGE_FLOATS
+  return vec4(code_from_texel(stored), 1.0);
+#else
+  return vec4(code_from_texel(stored) / float((1 << NORMAL_BITS) - 1), 1.0);
+#endif
+}
+
 // What a texel of the material holds: numbers, or words of packed bits.
 #if MATERIAL_WORDS
 #define MATERIAL_TEXEL uvec4
@@ -258,27 +317,3 @@ void unpack_material(Stored t, inout Surface s) {
 #endif
 #endif
 }
-#endif
-
-// ---- normal ----------------------------------------------------------------------------------------------
-#if NORMAL_ENCODING == NORMAL_OCT16
-#define NORMAL_SAMPLER usampler2D
-#define NORMAL_OUTPUT uvec4
-uvec4 pack_normal(vec3 n) { return uvec4(uvec3(encode_oct16(n)), 0u); }
-vec3 unpack_normal(uvec4 stored) { return decode_oct16(vec3(stored.xyz)); }
-vec4 raw_normal(uvec4 stored) { return vec4(vec2(stored.xy) / 65535.0, 0.0, 1.0); }
-#else
-#define NORMAL_SAMPLER sampler2D
-#define NORMAL_OUTPUT vec4
-vec4 raw_normal(vec4 stored) { return vec4(stored.xyz, 1.0); }
-#if NORMAL_ENCODING == NORMAL_OCT8
-vec4 pack_normal(vec3 n) { return vec4(encode_oct8(n) / 255.0, 0.0); }
-vec3 unpack_normal(vec4 stored) { return decode_oct8(floor(stored.xyz * 255.0 + 0.5)); }
-#elif NORMAL_ENCODING == NORMAL_XYZ8
-vec4 pack_normal(vec3 n) { return vec4(encode_xyz8(n) / 255.0, 1.0); }
-vec3 unpack_normal(vec4 stored) { return decode_xyz8(floor(stored.xyz * 255.0 + 0.5)); }
-#elif NORMAL_ENCODING == NORMAL_STEREO16F
-vec4 pack_normal(vec3 n) { return vec4(encode_stereo16f(n).xy, 0.0, 0.0); }
-vec3 unpack_normal(vec4 stored) { return decode_stereo16f(vec3(stored.xy, 0.0)); }
-#endif
-#endif

@@ -60,8 +60,7 @@ vec4 raw(ivec2 texel) {
 #elif VIEW == VIEW_NORMAL && defined(STORED_NORMAL)
   return raw_normal(texelFetch(gbuffer_normal, texel, 0));
 #elif VIEW == VIEW_NORMAL && NORMAL_IN_MATERIAL
-  uint w = texelFetch(gbuffer_material, texel, 0).x;
-  return vec4(vec2(w & 16383u, (w >> 14) & 16383u) / 16383.0, 0.0, 1.0);
+  return raw_normal(uvec4(texelFetch(gbuffer_material, texel, 0).x & 0x0fffffffu, 0u, 0u, 0u));
 #elif VIEW == VIEW_POSITION && defined(STORED_POSITION)
   return vec4(texelFetch(gbuffer_position, texel, 0).rgb, 1.0);
 #elif VIEW == VIEW_DEPTH || VIEW == VIEW_POSITION

@@ -63,8 +63,8 @@ TEST(RangeAtThreshold, OfALightThatIsTooDimIsNothing) {
 // `range-shortcut`: 64 to 73 % of the true range once the light is five times as bright as the threshold.
 TEST(RangeByShortcut, UnderestimatesTheRange) {
   for (const double strength : {0.1, 0.5, 1.0, 2.0}) {
-    const double ratio = range_by_shortcut(strength, 4, 5.0 / 256) /
-                         range_at_threshold(Attenuation::ramp, strength, 4, 5.0 / 256);
+    const double ratio =
+        range_by_shortcut(strength, 4, 5.0 / 256) / range_at_threshold(Attenuation::ramp, strength, 4, 5.0 / 256);
     EXPECT_GT(ratio, 0.63) << strength;
     EXPECT_LT(ratio, 0.95) << strength;
   }

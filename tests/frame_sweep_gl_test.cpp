@@ -2,6 +2,7 @@
 // and the same picture far from the origin.
 #include <set>
 
+#include "renderer/normal_encoding.h"
 #include "renderer/options.h"
 #include "renderer/random.h"
 #include "renderer/settings_json.h"
@@ -150,6 +151,56 @@ TEST_F(FrameSweep, WithoutANormalMapNormalsAreTheMeshesOwn) {
   const Picture on = stage.lit(s);
   s.normal_map = NormalMap::off;
   EXPECT_TRUE(same_bits(stage.lit(s), on));
+}
+
+// Share of pixels whose shown normals differ by more than `codes` of 255 in a channel.
+double normals_off(const Image& a, const Image& b, int codes) {
+  size_t off = 0;
+  for (size_t i = 0; i < a.rgba.size(); i += 4)
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(a.rgba[i + k] - b.rgba[i + k]) > codes) {
+        ++off;
+        break;
+      }
+  return static_cast<double>(off) / (static_cast<double>(a.rgba.size()) / 4);
+}
+
+// Whatever normals are stored in and along, what is read back is along the world's axes and within the row's error.
+TEST_F(FrameSweep, EverySoundEncodingShowsTheSameNormalsInBothSpaces) {
+  Stage stage(yard());
+  Settings s = settings_for(yard());
+  s.lights.count = 1;
+  s.normal.encoding = NormalEncoding::xyz32f;
+  stage.draw(s);
+  const Image exact = stage.view(View::normal, s);
+  for_each_row<NormalSpace>([&](NormalSpace space, auto& where) {
+    for_each_row<NormalEncoding>([&](NormalEncoding e, auto& r) {
+      if (!r.sound()) return;
+      SCOPED_TRACE(fmt::format("{}, {}", r.id, where.id));
+      s.normal = {e, space};
+      stage.draw(s);
+      const double max_deg = row_of(e).toward_zero.value_or(row_of(e).error).max;
+      const int codes = 1 + static_cast<int>(std::ceil(127.5 * glm::radians(max_deg)));
+      EXPECT_EQ(normals_off(stage.view(View::normal, s), exact, codes), 0);
+    });
+  });
+}
+
+// `xy-only-z-sqrt`: what faces -Z is mirrored; along the camera's axes hardly anything seen does.
+TEST_F(FrameSweep, WithoutTheSignOfZViewSpaceIsAllButRightAndWorldSpaceIsNot) {
+  Stage stage(yard());
+  Settings s = settings_for(yard());
+  s.camera.position = {11, 4, 26};  // before a wall whose face looks towards -Z
+  s.camera.orientation = orientation_from_yaw_pitch(180, -20);
+  stage.draw(s);
+  const Image exact = stage.view(View::normal, s);
+  const auto off = [&](NormalSpace space) {
+    s.normal = {NormalEncoding::xy_sqrt, space};
+    stage.draw(s);
+    return normals_off(stage.view(View::normal, s), exact, 5);  // 1.5 degrees at the rim are 4 codes
+  };
+  EXPECT_GT(off(NormalSpace::world), 0.1);
+  EXPECT_LT(off(NormalSpace::view), 0.01);
 }
 
 // `stereographic-pole`: a wall that faces exactly -Z has no code. Its light is lost; nothing else is.

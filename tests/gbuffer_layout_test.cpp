@@ -4,6 +4,7 @@
 #include <functional>
 #include <set>
 
+#include "renderer/normal_encoding.h"
 #include "renderer/options.h"
 #include "renderer/presets.h"
 #include "tests/test_support.h"
@@ -44,15 +45,19 @@ TEST(GbufferLayout, PresetsCostTheirBytes) {
 }
 
 TEST(GbufferLayout, EachChoiceHasItsFormat) {
-  const auto of_normal = [](NormalEncoding e) {
+  for (const ValueRow& r : rows<NormalEncoding>()) {
     Settings s;
-    s.normal.encoding = e;
-    return format_of(Stores::normal, s);
-  };
-  EXPECT_EQ(of_normal(NormalEncoding::oct16), Format::rg16ui);
-  EXPECT_EQ(of_normal(NormalEncoding::oct8), Format::rg8);
-  EXPECT_EQ(of_normal(NormalEncoding::xyz8), Format::rgba8);
-  EXPECT_EQ(of_normal(NormalEncoding::stereo16f), Format::rg16f);
+    s.normal.encoding = static_cast<NormalEncoding>(r.value);
+    EXPECT_EQ(format_of(Stores::normal, s), row_of(s.normal.encoding).format) << r.id;
+  }
+  // The formats that the sources and the first screen are counted with.
+  EXPECT_EQ(row_of(NormalEncoding::oct16).format, Format::rg16ui);
+  EXPECT_EQ(row_of(NormalEncoding::oct8).format, Format::rg8);
+  EXPECT_EQ(row_of(NormalEncoding::xyz8).format, Format::rgba8);
+  EXPECT_EQ(row_of(NormalEncoding::stereo16f).format, Format::rg16f);
+  EXPECT_EQ(row_of(NormalEncoding::oct14).format, Format::r32ui);
+  EXPECT_EQ(row_of(NormalEncoding::xyz16f).format, Format::rgba16f);
+  EXPECT_EQ(row_of(NormalEncoding::xyz32f).format, Format::rgba32f);
   const auto of_depth = [](DepthFormat f) {
     Settings s;
     s.depth.format = f;

@@ -25,8 +25,7 @@ TEST(Mistakes, AreSetByIdAndUnknownOnesAreRefused) {
   o.set(s, Json::array({"tbn-precedence", "specular-ungated"}), o);
   EXPECT_EQ(s.mistakes, (std::set<std::string>{"specular-ungated", "tbn-precedence"}));
   EXPECT_FALSE(sound(s));
-  const std::string line =
-      error_line(ExitCode::bad_input, [&] { o.set(s, Json::array({"tbn-precedense"}), o); });
+  const std::string line = error_line(ExitCode::bad_input, [&] { o.set(s, Json::array({"tbn-precedense"}), o); });
   EXPECT_TRUE(contains(line, "did you mean 'tbn-precedence'")) << line;
   EXPECT_THROW(o.set(s, Json::array({3}), o), std::runtime_error);
 }
@@ -41,8 +40,7 @@ TEST(Mistakes, EachStandsInASourcesPresetAndInNoMendedOne) {
       EXPECT_TRUE(sound(s)) << p.id << ": " << unsound_choices(s).front().pitfall;
     }
   }
-  for (const Mistake& m : mistakes())
-    EXPECT_TRUE(used.count(m.id)) << m.id;
+  for (const Mistake& m : mistakes()) EXPECT_TRUE(used.count(m.id)) << m.id;
 }
 
 }  // namespace

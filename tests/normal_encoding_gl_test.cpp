@@ -2,25 +2,19 @@
 // encoding, against the same text compiled by C++.
 #include "renderer/normal_encoding.h"
 
-#include <glm/gtc/packing.hpp>
 #include <optional>
 
 #include "renderer/gl/pass_state.h"
+#include "renderer/passes/frame_block.h"
 #include "renderer/passes/programs.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {
-namespace cpu {  // as renderer/normal_encoding.cpp includes it; here the codes themselves are wanted
-using real = float;
-using glm::abs, glm::clamp, glm::floor, glm::normalize, glm::vec2, glm::vec3;
-#include "shaders/normal_encoding.glsl"
-}  // namespace cpu
-
 namespace {
 
 class NormalEncodings : public GlTest {};
 
-constexpr int kSide = 128;  // 128 x 128 directions
+constexpr int kSide = 1024;  // 2^20 directions
 
 // Evenly over the sphere, then the axes, the octahedron's seams and folds, and a ring about the pole -Z.
 std::vector<glm::vec4> directions() {
@@ -66,8 +60,8 @@ struct Result {
   std::vector<glm::vec4> codes, decoded;
 };
 
-Result through_the_gpu(NormalEncoding encoding) {
-  Settings s = settings_for(yard(), {kSide, kSide});
+// Packed, stored in the attachment's own format, and read back by the shaders' own text.
+Result through_the_gpu(Settings s, NormalEncoding encoding) {
   s.normal.encoding = encoding;
   const std::vector<glm::vec4> input = directions();
   const gl::Texture source = gl::make_texture({.size = s.size, .format = Format::rgba32f, .label = "directions"});
@@ -81,74 +75,76 @@ Result through_the_gpu(NormalEncoding encoding) {
   run(s, "uniform sampler2D source;\nlayout(location = 0) out NORMAL_OUTPUT result;\n",
       "  result = pack_normal(texelFetch(source, texel, 0).xyz);\n", source, stored);
   const char* reads = "uniform NORMAL_SAMPLER source;\nlayout(location = 0) out vec4 result;\n";
-  run(s, reads, "  result = vec4(texelFetch(source, texel, 0));\n", stored, codes);
+  run(s, reads, "  result = vec4(code_from_texel(texelFetch(source, texel, 0)), 0.0);\n", stored, codes);
   run(s, reads, "  result = vec4(unpack_normal(texelFetch(source, texel, 0)), 0.0);\n", stored, decoded);
   return {picture_of(codes).texels, picture_of(decoded).texels};
 }
 
-// The integer code that the CPU computes, or no value for a float format.
-std::optional<glm::vec3> cpu_code(NormalEncoding e, const glm::vec3& n) {
-  switch (e) {
-    case NormalEncoding::oct16: return cpu::encode_oct16(n);
-    case NormalEncoding::oct8: return cpu::encode_oct8(n);
-    case NormalEncoding::xyz8: return cpu::encode_xyz8(n);
-    default: return {};
-  }
+Settings square() { return settings_for(yard(), {kSide, kSide}); }
+
+bool finite(const glm::vec4& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// How this device stores halves; no value if neither to nearest nor toward zero.
+std::optional<StoreRounding> rounding_here() {
+  const gl::Rounding found = gl::probe_rounding().half_store;
+  if (found == gl::Rounding::other) return {};
+  return found == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
 }
 
 TEST_F(NormalEncodings, GpuCodesAndNormalsAreTheCpus) {
+  const std::optional<StoreRounding> rounding = rounding_here();
   const std::vector<glm::vec4> input = directions();
   for_each_row<NormalEncoding>([&](NormalEncoding e, auto& r) {
     SCOPED_TRACE(r.id);
-    if (!cpu_code(e, {0, 0, 1})) return;
-    const Result gpu = through_the_gpu(e);
-    int codes_off = 0;
+    if (!row_of(e).whole_codes() && !rounding) return;
+    const Result gpu = through_the_gpu(square(), e);
+    int codes_off = 0, without_normal = 0;
     double worst_deg = 0;
     for (size_t i = 0; i < input.size(); ++i) {
-      const glm::vec3 n = input[i];
-      const glm::vec3 code = *cpu_code(e, n);
-      const float levels = e == NormalEncoding::oct16 ? 1 : 255;  // the others are stored as unorm of 8 bits
-      codes_off += glm::round(glm::vec3(gpu.codes[i]) * levels) != code;
-      const double off = angle_deg(glm::dvec3(gpu.decoded[i]), glm::dvec3(stored_normal_f32(e, n)));
-      worst_deg = std::max(worst_deg, off);
+      const StoreRounding store = rounding.value_or(StoreRounding::to_nearest);
+      const glm::vec3 n = input[i], code = stored_code(e, n, store), normal = stored_normal(e, n, store);
+      const bool has_normal = finite(glm::vec4(normal, 0));
+      EXPECT_EQ(finite(gpu.decoded[i]), has_normal) << i;
+      if (!has_normal) {
+        ++without_normal;
+        EXPECT_TRUE(row_of(e).lost && row_of(e).lost(n)) << "only the pitfall has no normal";
+        continue;
+      }
+      for (int k = 0; k < row_of(e).channels; ++k) codes_off += gpu.codes[i][k] != code[k];
+      worst_deg = std::max(worst_deg, angle_deg(glm::dvec3(gpu.decoded[i]), glm::dvec3(normal)));
     }
     EXPECT_EQ(codes_off, 0);
     EXPECT_LT(worst_deg, 2e-5) << "float arithmetic of the decoding; an inverse square root may be off by some ulp";
+    EXPECT_EQ(without_normal > 0, e == NormalEncoding::stereo16f) << "the directions hold its pole -Z";
+    EXPECT_LT(without_normal, 100);
   });
 }
 
-// The half that a store of `x` gives, rounded as the device was found to round.
-float stored_half(float x, gl::Rounding rounding) {
-  const float nearest = glm::unpackHalf1x16(glm::packHalf1x16(x));
-  if (rounding == gl::Rounding::to_nearest || std::abs(nearest) <= std::abs(x)) return nearest;
-  return glm::unpackHalf1x16(static_cast<uint16_t>(glm::packHalf1x16(x) - 1));  // one step towards zero
-}
-
-TEST_F(NormalEncodings, StereographicHalvesAreTheCpusAsThisDeviceRounds) {
-  const gl::Rounding rounding = gl::probe_rounding().half_store;
-  if (rounding == gl::Rounding::other) GTEST_SKIP() << "this device rounds neither to nearest nor toward zero";
+// normal.space=view: what comes back is along the world's axes again, as good as the encoding is.
+TEST_F(NormalEncodings, ViewSpaceTurnsThereAndBack) {
+  Settings s = square();
+  s.normal.space = NormalSpace::view;
+  const glm::dmat4 view_from_world = glm::mat4_cast(glm::conjugate(orientation_from_yaw_pitch(37, -22)));
+  shared::FrameBlock block{};
+  block.view_from_world = glm::mat4(view_from_world);
+  const gl::Buffer buffer = gl::Buffer::make();
+  gl::write_uniform_block(buffer, 0, &block, sizeof block);
   const std::vector<glm::vec4> input = directions();
-  const Result gpu = through_the_gpu(NormalEncoding::stereo16f);
-  int without_code = 0;
-  for (size_t i = 0; i < input.size(); ++i) {
-    const glm::vec3 n = input[i], exact = cpu::encode_stereo16f(n);
-    if (!std::isfinite(exact.x + exact.y)) {  // the pitfall: no code, and no normal comes back
-      ++without_code;
-      EXPECT_FALSE(std::isfinite(gpu.decoded[i].x + gpu.decoded[i].y + gpu.decoded[i].z)) << i;
-      continue;
+  for_each_row<NormalEncoding>([&](NormalEncoding e, auto& r) {
+    SCOPED_TRACE(r.id);
+    const Result gpu = through_the_gpu(s, e);
+    const Degrees& column = row_of(e).toward_zero.value_or(row_of(e).error);
+    double worst_deg = 0, codes_off = 0;
+    for (size_t i = 0; i < input.size(); ++i) {
+      const glm::dvec3 n(input[i]), turned = view_from_world * glm::dvec4(n, 0);
+      if (row_of(e).lost && row_of(e).lost(turned)) continue;
+      worst_deg = std::max(worst_deg, angle_deg(n, glm::dvec3(gpu.decoded[i])));
+      codes_off += glm::dvec3(gpu.codes[i]) != stored_code(e, turned);
     }
-    for (int k = 0; k < 2; ++k) EXPECT_EQ(gpu.codes[i][k], stored_half(exact[k], rounding)) << i << ": " << exact[k];
-    // Two neighbouring halves are at most .06 degrees apart: twice the largest error that the catalogue measured.
-    EXPECT_LT(angle_deg(glm::dvec3(gpu.decoded[i]), glm::dvec3(stored_normal_f32(NormalEncoding::stereo16f, n))), 0.06);
-  }
-  EXPECT_GT(without_code, 0) << "the directions hold the pole -Z";
-  EXPECT_LT(without_code, 100);
-}
-
-// Every encoding of the table is compared by one of the two tests above.
-TEST_F(NormalEncodings, NoneIsLeftOut) {
-  for_each_row<NormalEncoding>([](NormalEncoding e, auto& r) {
-    EXPECT_TRUE(cpu_code(e, {0, 0, 1}) || e == NormalEncoding::stereo16f) << r.id << " is compared by no test";
+    // Two rotations in float beside it: 4e-7 radians.
+    EXPECT_LE(worst_deg, 1.005 * column.max + 5e-5);
+    const double few = row_of(e).whole_codes() ? 0.1 * kSide * kSide : kSide * kSide;
+    EXPECT_LE(codes_off, few) << "the codes are those of the turned direction, but for float's digits";
   });
 }
 

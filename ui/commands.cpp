@@ -105,7 +105,8 @@ void pick_object(Frame& f, const KeyEvent&) {
   const bool again = now == picked;
   picked = again ? 0 : now;
   if (picked > 0)
-    say(f, {fmt::format("Picked: {}, object {} of {}.", probe->object_name, picked, f.input.scene.instances.size()), ""});
+    say(f,
+        {fmt::format("Picked: {}, object {} of {}.", probe->object_name, picked, f.input.scene.instances.size()), ""});
   else
     say(f, {pointed || again ? "No object is picked." : "Point at an object or hold a pixel first.", ""});
 }

@@ -27,7 +27,7 @@ struct PixelProbe {
   glm::vec3 position{0};  // world
   float range = 0;        // distance along the view axis, world units
   glm::vec3 diffuse_light{0}, specular_light{0}, lit{0};
-  float lights = 0;  // lights in range that the method shaded here
+  float lights = 0;         // lights in range that the method shaded here
   int object = 0;           // number of the object that is seen, from 1; transparent ones included
   std::string object_name;  // as the scene names it
 };

@@ -12,7 +12,9 @@ namespace gbl::gl {
 
 struct Define {
   std::string name;
-  int value;
+  std::string value;  // a number or a word of GLSL
+  Define(std::string n, int v) : name(std::move(n)), value(std::to_string(v)) {}
+  Define(std::string n, std::string word) : name(std::move(n)), value(std::move(word)) {}
   auto operator<=>(const Define&) const = default;
 };
 using Defines = std::vector<Define>;

@@ -99,7 +99,8 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
       pass("combine", [&] { return draw_materials_over_light(frame); });
   }
   if (s.antialias == Antialias::edge_blur) pass("antialias", [&] { return draw_edge_blur(frame); });
-  if (has_transparent(scene.scene()) || s.lights.markers == LightMarkers::on) pass("transparent", [&] { return draw_transparent(frame); });
+  if (has_transparent(scene.scene()) || s.lights.markers == LightMarkers::on)
+    pass("transparent", [&] { return draw_transparent(frame); });
   report.size = s.size;
   report.drawn = s;
   report.choices = std::move(resolved.notes);

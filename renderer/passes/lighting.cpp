@@ -15,8 +15,7 @@ int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer&
   begin_drawing(into, frame.settings.size, {.blend = gl::Blend::add});
   const int targets = output == LightOutput::split ? 2 : 1;
   const bool begun = output == LightOutput::sum && sum_begins_in_geometry(frame.settings);
-  for (int i = 0; i < targets && !begun; ++i)
-    glClearBufferfv(GL_COLOR, i, kNothing);
+  for (int i = 0; i < targets && !begun; ++i) glClearBufferfv(GL_COLOR, i, kNothing);
   if (frame.targets.lights.empty()) return 0;
   bind_gbuffer(frame);
   bind_lights(frame);

@@ -70,14 +70,14 @@ void upload_frame_block(const Frame& frame) {
   const ViewRays rays = view_rays(c, frame.aspect);
   shared::FrameBlock block{};
   block.clip_from_relative = glm::mat4(frame.clip_from_relative);
+  block.view_from_world = glm::mat4(glm::mat4_cast(glm::conjugate(c.orientation)));
   // Float from here on, as the source's shader computes it: its noise is the pitfall.
-  const glm::mat4 view_from_world(glm::mat4_cast(glm::conjugate(c.orientation)));
-  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect, frame.depth_runs())) * view_from_world *
+  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect, frame.depth_runs())) *
+                                    block.view_from_world *
                                     glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
                                               glm::vec4(-glm::vec3(c.position), 1));
   block.world_from_clip = glm::inverse(clip_from_world);
   block.clip_from_world = clip_from_world;
-  block.view_from_world = view_from_world;
   block.ray_forward = glm::vec4(rays.forward, c.orthographic() ? 1 : 0);
   block.ray_right = glm::vec4(rays.right, 0);
   block.ray_up = glm::vec4(rays.up, 0);

@@ -35,7 +35,7 @@ int draw_materials_over_light(const Frame&);
 int draw_transparent(const Frame&);
 int draw_edge_blur(const Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);
-void draw_ids(const Frame&);                   // into targets.ids(), once per frame drawn
+void draw_ids(const Frame&);                    // into targets.ids(), once per frame drawn
 void draw_outline(const Frame&, Canvas& into);  // of settings.view.object
 
 }  // namespace gbl

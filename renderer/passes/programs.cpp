@@ -1,9 +1,11 @@
 #include "renderer/passes/programs.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "renderer/gbuffer_layout.h"
 #include "renderer/mistakes.h"
+#include "renderer/normal_encoding.h"
 #include "renderer/options.h"
 
 namespace gbl {
@@ -44,7 +46,7 @@ std::string constant_name(const char* prefix, const char* id) {
   return name;
 }
 
-// NORMAL_ENCODING = the chosen value, and NORMAL_OCT16, NORMAL_XYZ8, … = each row's value.
+// LAYOUT = the chosen value, and LAYOUT_NCLGL, LAYOUT_FLOAT32, … = each row's value.
 template <class E>
 void append_axis(gl::Defines& out, const char* name, const char* prefix, E chosen_value) {
   out.push_back({name, static_cast<int>(chosen_value)});
@@ -58,6 +60,21 @@ constexpr const char* kStoresNames[] = {
 void append_mistakes(gl::Defines& out, const Settings& s, MistakeIn where) {
   for (const Mistake& m : mistakes())
     if (m.in == where) out.push_back({constant_name("MISTAKE_", m.id), s.mistakes.count(m.id) > 0});
+}
+
+// The encoding's functions by name, and how its code lies in a texel: the shader knows no list of encodings.
+void append_encoding(gl::Defines& out, NormalEncoding e) {
+  std::string name = row(e).id;
+  std::replace(name.begin(), name.end(), '-', '_');
+  out.push_back({"ENCODE_NORMAL", "encode_" + name});
+  out.push_back({"DECODE_NORMAL", "decode_" + name});
+  out.push_back({"NORMAL_CHANNELS", row_of(e).channels});
+  out.push_back({"NORMAL_BITS", row_of(e).bits_per_channel});
+  out.push_back({"NORMAL_STORAGE", static_cast<int>(row_of(e).storage())});
+  out.push_back({"STORAGE_UNORM8", static_cast<int>(NormalStorage::unorm8)});
+  out.push_back({"STORAGE_UINTS", static_cast<int>(NormalStorage::uints)});
+  out.push_back({"STORAGE_WORD", static_cast<int>(NormalStorage::word)});
+  out.push_back({"STORAGE_FLOATS", static_cast<int>(NormalStorage::floats)});
 }
 
 // Every program sees these constants.
@@ -74,7 +91,8 @@ void append_common(gl::Defines& out) {
 gl::Defines gbuffer_defines(const Settings& s) {
   gl::Defines out;
   append_axis(out, "LAYOUT", "LAYOUT_", s.layout);
-  append_axis(out, "NORMAL_ENCODING", "NORMAL_", s.normal.encoding);
+  append_encoding(out, s.normal.encoding);
+  append_axis(out, "NORMAL_SPACE", "SPACE_", s.normal.space);
   append_axis(out, "POSITION_SOURCE", "POSITION_", s.position.source);
   append_axis(out, "POSITION_RECONSTRUCT", "RECONSTRUCT_", s.position.reconstruct);
   append_axis(out, "BACKGROUND_SKIP", "SKIP_", s.background.skip);

@@ -16,8 +16,8 @@ struct Sphere {
 
 class Shapes {
  public:
-  const Sphere& sphere(VolumeLevel);  // made at first use
-  void draw_fullscreen();             // with the bound program and framebuffer
+  const Sphere& sphere(VolumeLevel);                 // made at first use
+  void draw_fullscreen();                            // with the bound program and framebuffer
   void draw_generated(int vertices, int instances);  // triangles from gl_VertexID alone
 
  private:
