@@ -221,6 +221,7 @@ std::string stored_as(View v, const Settings& s) {
   const Attachment* a = find(all, stored(v));
   const bool beside_albedo = v == View::material && !facts(s.layout).words && s.layout != Layout::float32;
   if (beside_albedo && find(all, Stores::reflectance)) a = find(all, Stores::reflectance);
+  if (v == View::material && find(all, Stores::shininess)) a = find(all, Stores::shininess);
   if (v == View::position && find(all, Stores::position)) a = find(all, Stores::position);
   if (v == View::normal && !a) a = find(all, Stores::material);
   if (!a) a = find(all, Stores::light);

@@ -317,3 +317,4 @@ void unpack_material(Stored t, inout Surface s) {
 #endif
 #endif
 }
+#endif

@@ -2,22 +2,31 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/validate.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
 namespace {
 
-std::string reason_missing(const ValueRow& r) {
-  const FeatureRow& feature = kFeatures[static_cast<int>(r.needs) - 1];
-  return fmt::format("needs {}, which is not available here ({})", feature.id, feature.used_for);
+// Why this value cannot be chosen as things stand; empty if it can.
+std::string why_not(const Frame& f, const Option& o, const ValueRow& r) {
+  if (!f.input.features.has(r.needs)) {
+    const FeatureRow& feature = kFeatures[static_cast<int>(r.needs) - 1];
+    return fmt::format("needs {}, which is not available here ({})", feature.id, feature.used_for);
+  }
+  Settings changed = f.settings;
+  o.set(changed, r.id, o);
+  const std::vector<Problem> problems = validate(changed, {f.input.features});
+  return problems.empty() ? "" : problems.front().sentence;
 }
 
 void draw_value(Frame& f, const Option& o, const ValueRow& r, bool selected) {
-  const bool available = f.input.features.has(r.needs);
+  const std::string reason = selected ? "" : why_not(f, o, r);
+  const bool available = reason.empty();
   std::string text = r.sound() ? r.label : fmt::format("{} {}", kUnsoundSign, r.label);
   if (*r.cost) text += fmt::format("   {}", r.cost);
   if (!r.sound()) text += fmt::format("   unsound: {}", r.pitfall);
-  if (!available) text += "   " + reason_missing(r);
+  if (!available) text += f.input.features.has(r.needs) ? "   not with these settings" : "   " + reason;
   ImGui::PushStyleColor(ImGuiCol_Text, r.sound() ? kText : kUnsound);
   if (ImGui::Selectable(text.c_str(), selected, available ? 0 : ImGuiSelectableFlags_Disabled)) edit_option(f, o, r.id);
   ImGui::PopStyleColor();
@@ -28,6 +37,7 @@ void draw_value(Frame& f, const Option& o, const ValueRow& r, bool selected) {
   ImGui::PushTextWrapPos(f.type.body * 26);
   ImGui::TextUnformatted(r.help);
   if (*r.source) ImGui::TextDisabled("%s", r.source);
+  if (!available) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kUnsound), "%s", reason.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

@@ -152,8 +152,10 @@ Canvas& Targets::composed() {
   if (!composed_) {
     composed_.emplace();
     composed_->texture = gl::make_texture({.size = size_, .format = Format::rgba32f, .label = "composed"});
+    composed_depth_ =
+        gl::make_texture({.size = size_, .format = texture(Stores::depth)->format, .label = "composed.depth"});
     composed_->framebuffer =
-        gl::make_framebuffer({.colours = {&composed_->texture}, .depth = texture(Stores::depth), .label = "composed"});
+        gl::make_framebuffer({.colours = {&composed_->texture}, .depth = &composed_depth_, .label = "composed"});
   }
   return *composed_;
 }

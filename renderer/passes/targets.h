@@ -38,7 +38,7 @@ class Targets {
 
   Canvas& view(View);                    // RGBA8, made at first use
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
-  Canvas& composed();                    // RGBA32F with the scene's depth: lit + transparent surfaces
+  Canvas& composed();  // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
   const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
   Canvas& counts();                            // RGBA32F: pairs tested, shaded, in range
   const gl::Framebuffer& counts_with_depth();  // counts() with a depth buffer of its own: forward shading draws anew
@@ -70,7 +70,7 @@ class Targets {
   std::array<gl::Framebuffer, 3> framebuffers_;  // geometry, lighting, combine
   std::array<std::optional<Canvas>, kViewCount> views_;
   std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_;
-  gl::Texture counts_depth_;
+  gl::Texture counts_depth_, composed_depth_;
   gl::Framebuffer counts_with_depth_;
   struct Samples {
     std::vector<gl::Renderbuffer> buffers;

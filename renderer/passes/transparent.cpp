@@ -26,7 +26,10 @@ int draw_transparent(const Frame& frame) {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, composed.framebuffer.id());
   glDisable(GL_SCISSOR_TEST);
   glColorMask(true, true, true, true);
+  glDepthMask(true);
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer(Pass::geometry).id());
+  glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   t.composed_valid = true;
   const gl::DepthTest test = frame.mistaken("forward-without-depth") ? gl::DepthTest::off : gl::DepthTest::less;
   const int markers = draw_markers(frame, composed.framebuffer, test);
