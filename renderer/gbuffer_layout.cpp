@@ -33,9 +33,12 @@ Format normal_format(NormalEncoding e) {
   return Format::rgba8;
 }
 
-Format depth_format(DepthFormat f) {
+// D16 has no variant with a stencil buffer; validate() says so.
+Format depth_format(const Settings& s) {
   constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f};
-  return kDepth[static_cast<int>(f)];
+  const Format plain = kDepth[static_cast<int>(s.depth.format)];
+  if (!needs_stencil(s)) return plain;
+  return plain == Format::d24 ? Format::d24s8 : plain == Format::d32f ? Format::d32fs8 : plain;
 }
 
 Format accumulation_format(AccumulationFormat f) {
@@ -63,8 +66,7 @@ std::vector<Attachment> attachments(const Settings& s) {
     all.push_back(
         {"gbuffer.emission", Pass::geometry, Stores::emission, Format::rgba32f, "rgb: radiance it sends out itself"});
   }
-  all.push_back(
-      {"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s.depth.format), "window depth 0..1, near to far"});
+  all.push_back({"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s), "window depth 0..1, near to far"});
   const Format sum = accumulation_format(s.accumulation.format);
   if (s.accumulation.targets == AccumulationTargets::split) {
     all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
@@ -72,9 +74,20 @@ std::vector<Attachment> attachments(const Settings& s) {
   } else {
     all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
   }
+  if (lighting_tests_depth(s))
+    all.push_back({"light.depth", Pass::lighting, Stores::light_depth, depth_format(s),
+                   needs_stencil(s) ? "a copy of the depth; stencil: marks of the light at work, 0 when it is done"
+                                    : "a copy of the depth"});
   all.push_back(
       {"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
   return all;
+}
+
+bool needs_stencil(const Settings& s) { return s.lights.method == LightMethod::volumes_stencil; }
+
+bool lighting_tests_depth(const Settings& s) {
+  return s.lights.method == LightMethod::volumes_stencil ||
+         (draws_chosen_faces(s.lights.method) && s.lights.volume.depth != VolumeDepth::none);
 }
 
 const Attachment* find(const std::vector<Attachment>& all, Stores what) {

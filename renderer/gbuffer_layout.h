@@ -10,7 +10,18 @@
 namespace gbl {
 
 enum class Pass { geometry, lighting, combine, display };
-enum class Stores { material, normal, reflectance, emission, depth, light, diffuse_light, specular_light, lit };
+enum class Stores {
+  material,
+  normal,
+  reflectance,
+  emission,
+  depth,
+  light,
+  diffuse_light,
+  specular_light,
+  light_depth,
+  lit
+};
 
 struct Attachment {
   const char* name;  // also the sampler's and the debug label's
@@ -25,6 +36,13 @@ std::vector<Attachment> attachments(const Settings&);
 
 // The attachment that stores this, or null.
 const Attachment* find(const std::vector<Attachment>&, Stores);
+
+// Does a pass of these settings mark pixels? Then the depth attachment carries a stencil buffer.
+bool needs_stencil(const Settings&);
+
+// Does the lighting compare depths? Then it has a copy of the G-buffer's: to sample a texture while it is attached is
+// not allowed everywhere (WebGL 2 refuses it even with writes off).
+bool lighting_tests_depth(const Settings&);
 
 // Every target that the geometry pass writes, depth included, as stored; accumulation apart.
 int gbuffer_bytes_per_pixel(const Settings&);

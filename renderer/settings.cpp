@@ -10,11 +10,16 @@ bool same_truth(const Settings& a, const Settings& b) {
   return true;
 }
 
-// Cull, level, fit, clip and depth of a volume mean nothing to a method that draws none.
+bool draws_chosen_faces(LightMethod m) { return m == LightMethod::volumes || m == LightMethod::volumes_instanced; }
+
+// Cull, level, fit, clip and depth of a volume mean nothing to a method that draws none. The stencil method draws both
+// faces against the depth, whatever is chosen: to it only the mesh's level and fit mean something.
 bool in_use(const Option& o, const Settings& s) {
   const std::string_view path = o.path;
+  const bool of_mesh = path == "lights.volume.level" || path == "lights.volume.fit";
   const bool of_volumes = path == "lights.cull" || path.starts_with("lights.volume.");
-  return !of_volumes || s.lights.method == LightMethod::volumes;
+  if (of_mesh && s.lights.method == LightMethod::volumes_stencil) return true;
+  return !of_volumes || draws_chosen_faces(s.lights.method);
 }
 
 std::vector<Unsound> unsound_choices(const Settings& s) {

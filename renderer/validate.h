@@ -15,6 +15,9 @@ enum class ProblemId {
   rig_not_read,
   rig_not_named,
   no_such_light,
+  stencil_needs_d24,
+  less_equal_needs_back,
+  greater_equal_needs_front,
   feature_missing
 };
 

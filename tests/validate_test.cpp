@@ -13,6 +13,12 @@ namespace {
 
 const DeviceLimits kCorePath{};  // nothing beyond GL 3.3 core
 
+DeviceLimits every_feature() {
+  DeviceLimits all;
+  for (const FeatureRow& f : kFeatures) all.features.add(f.feature);
+  return all;
+}
+
 struct Case {
   ProblemId id;
   const char* path;
@@ -33,6 +39,18 @@ const Case kCases[] = {
     {ProblemId::rig_not_read, "lights.rig", [](Settings& s) { s.lights.rig = "stage.json"; }},
     {ProblemId::rig_not_named, "lights.rig", [](Settings& s) { s.lights.source = LightSource::rig; }},
     {ProblemId::no_such_light, "lights.only", [](Settings& s) { s.lights.only = s.lights.count; }},
+    {ProblemId::stencil_needs_d24, "depth.format",
+     [](Settings& s) {
+       s.lights.method = LightMethod::volumes_stencil;
+       s.depth.format = DepthFormat::d16;
+     }},
+    {ProblemId::less_equal_needs_back, "lights.cull",
+     [](Settings& s) { s.lights.volume.depth = VolumeDepth::less_equal; }},
+    {ProblemId::greater_equal_needs_front, "lights.cull",
+     [](Settings& s) {
+       s.lights.method = LightMethod::volumes_instanced;
+       s.lights.volume.depth = VolumeDepth::greater_equal;
+     }},
 };
 
 TEST(Validate, PresetsAreValidOnTheCorePath) {
@@ -48,12 +66,12 @@ TEST(Validate, EachMistakeIsFoundAloneByItsIdAndPath) {
     SCOPED_TRACE(c.path);
     Settings s = preset("start").make();
     c.breaks(s);
-    const std::vector<Problem> problems = validate(s, kCorePath);
+    const std::vector<Problem> problems = validate(s, every_feature());
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_EQ(problems[0].id, c.id) << problems[0].sentence;
     EXPECT_EQ(problems[0].path, c.path);
     EXPECT_NO_THROW(option(problems[0].path));
-    const std::string line = error_line(ExitCode::bad_input, [&] { require_valid(s, kCorePath); });
+    const std::string line = error_line(ExitCode::bad_input, [&] { require_valid(s, every_feature()); });
     EXPECT_EQ(line, std::string(c.path) + ": " + problems[0].sentence + " [" + id_of(c.id) + "]");
   }
 }
@@ -88,8 +106,7 @@ TEST(Validate, AMissingFeatureNamesRowAndFeature) {
       SCOPED_TRACE(std::string(o.path) + "=" + r.id);
       Settings s = preset("start").make();
       o.set(s, r.id, o);
-      DeviceLimits all;
-      for (const FeatureRow& f : kFeatures) all.features.add(f.feature);
+      DeviceLimits all = every_feature();
       EXPECT_TRUE(missing_features(s, all).empty());
       all.features.remove(r.needs);
       const std::vector<Problem> problems = missing_features(s, all);
@@ -98,6 +115,25 @@ TEST(Validate, AMissingFeatureNamesRowAndFeature) {
       EXPECT_TRUE(contains(problems[0].sentence, r.id)) << problems[0].sentence;
       EXPECT_TRUE(contains(problems[0].sentence, kFeatures[static_cast<int>(r.needs) - 1].id)) << problems[0].sentence;
     }
+}
+
+// What a depth test needs is asked of those methods that make it, and each need is met by one row.
+TEST(Validate, ADepthTestGoesWithOneCullingRule) {
+  for (const ValueRow& depth : rows<VolumeDepth>()) {
+    int valid = 0;
+    for (const ValueRow& cull : rows<LightCull>()) {
+      Settings s = preset("start").make();
+      s.lights.volume.depth = static_cast<VolumeDepth>(depth.value);
+      s.lights.cull = static_cast<LightCull>(cull.value);
+      valid += validate(s, every_feature()).empty();
+      for (const LightMethod m : {LightMethod::fullscreen, LightMethod::volumes_stencil}) {
+        s.lights.method = m;
+        EXPECT_TRUE(validate(s, every_feature()).empty()) << depth.id << " " << cull.id;
+      }
+    }
+    const bool tests = depth.value != static_cast<int>(VolumeDepth::none);
+    EXPECT_EQ(valid, tests ? 1 : static_cast<int>(rows<LightCull>().size())) << depth.id;
+  }
 }
 
 TEST(Validate, EveryIdIsUniqueAndProducedAbove) {

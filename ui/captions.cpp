@@ -67,7 +67,7 @@ Sentence describe_step(const Option& o, const Settings& before, const Settings& 
                          cost_sentence(from, to)),
              ""};
   if (!in_use(o, after))
-    s.text += fmt::format(" No effect while the method is {}: it draws no volumes.", row(after.lights.method).label);
+    s.text += fmt::format(" No effect while the method is {}.", row(after.lights.method).label);
   else
     s.pitfall = to.pitfall;
   return s;

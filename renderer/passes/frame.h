@@ -20,6 +20,7 @@ struct Frame {
   Shapes& shapes;
   double aspect;
   glm::dmat4 clip_from_relative;
+  bool depth_reversed = false;  // window depth runs from 1 near to 0 far, in a clip space of 0 … 1
 
   // Of every program that reads the G-buffer or the lights.
   gl::Defines defines() const;

@@ -10,8 +10,12 @@ void clear_gbuffer(const Targets& targets) {
     if (a.written_by != Pass::geometry) continue;
     constexpr float kZero[4] = {}, kFarthest = 1;
     constexpr GLuint kZeroCodes[4] = {};
+    constexpr GLint kUnmarked = 0;
     switch (row(a.format).numeric) {
-      case Numeric::depth: glClearBufferfv(GL_DEPTH, 0, &kFarthest); break;
+      case Numeric::depth:
+        glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+        if (row(a.format).stencil) glClearBufferiv(GL_STENCIL, 0, &kUnmarked);
+        break;
       case Numeric::uint: glClearBufferuiv(GL_COLOR, buffer++, kZeroCodes); break;
       default: glClearBufferfv(GL_COLOR, buffer++, kZero); break;
     }

@@ -72,6 +72,10 @@ void upload_frame_block(const Frame& frame) {
   gl::write_uniform_block(frame.targets.frame_block, 0, &block, sizeof block);
 }
 
+static_assert(static_cast<int>(VolumeShape::sphere) == VOLUME_SPHERE &&
+              static_cast<int>(VolumeShape::cone) == VOLUME_CONE &&
+              static_cast<int>(VolumeShape::screen) == VOLUME_SCREEN);
+
 void upload_lights(const Frame& frame) {
   Targets& t = frame.targets;
   t.record_texels.clear();
@@ -80,7 +84,7 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
     t.record_texels.emplace_back(l.direction, l.inner_cos);
     t.record_texels.emplace_back(l.outer_cos, l.coefficients);
-    t.record_texels.emplace_back(l.range, 0, 0, 0);
+    t.record_texels.emplace_back(l.range, static_cast<int>(volume_shape(l)), 0, 0);
     t.record_texels.emplace_back(-1, -1, 1, 1);
   }
   upload_records(t.light_data, t.record_texels, kLightUnit, "lights");

@@ -1,12 +1,10 @@
 #pragma once
 // The passes, each a function of the frame. A pass states all its state and binds all it reads.
 #include "renderer/gl/pass_state.h"
+#include "renderer/light_volume.h"
 #include "renderer/passes/frame.h"
 
 namespace gbl {
-
-// Has the light an end, so that a volume can hold it?
-inline bool bounded(const Light& l) { return l.kind != LightKind::directional && l.range < kEndless; }
 
 // Bind where a pass draws, set the viewport, apply its state.
 void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&);

@@ -12,8 +12,8 @@ bool same(const std::vector<Attachment>& a, const std::vector<Attachment>& b) {
   return true;
 }
 
-Canvas& made(std::optional<Canvas>& canvas, const gl::TextureDesc& desc) {
-  if (!canvas) canvas = make_canvas(desc);
+Canvas& made(std::optional<Canvas>& canvas, const gl::TextureDesc& desc, const gl::Texture* depth = nullptr) {
+  if (!canvas) canvas = make_canvas(desc, depth);
   return *canvas;
 }
 
@@ -21,10 +21,10 @@ double mib_of(const gl::Texture& t) { return double(t.size.x) * t.size.y * row(t
 
 }  // namespace
 
-Canvas make_canvas(const gl::TextureDesc& desc) {
+Canvas make_canvas(const gl::TextureDesc& desc, const gl::Texture* depth) {
   Canvas c;
   c.texture = gl::make_texture(desc);
-  c.framebuffer = gl::make_framebuffer({.colours = {&c.texture}, .label = desc.label});
+  c.framebuffer = gl::make_framebuffer({.colours = {&c.texture}, .depth = depth, .label = desc.label});
   return c;
 }
 
@@ -47,10 +47,11 @@ void Targets::prepare(const Settings& s) {
     framebuffers[static_cast<int>(pass)] = gl::make_framebuffer(desc);
   }
   // Everything new exists: only now let go of the old.
-  composed_.reset();  // it shares the depth attachment
+  composed_.reset();  // these two share depth attachments
+  counts_.reset();
   if (size_ != s.size) {
     for (auto& v : views_) v.reset();
-    for (auto* c : {&counts_, &counts_lit_, &count_sums_}) c->reset();
+    for (auto* c : {&counts_lit_, &count_sums_}) c->reset();
   }
   size_ = s.size;
   attachments_ = std::move(wanted);
@@ -87,16 +88,12 @@ const Canvas* Targets::drawn_view(View v) const {
 }
 
 Canvas& Targets::composed() {
-  if (!composed_) {
-    composed_.emplace();
-    composed_->texture = gl::make_texture({.size = size_, .format = Format::rgba32f, .label = "composed"});
-    composed_->framebuffer =
-        gl::make_framebuffer({.colours = {&composed_->texture}, .depth = texture(Stores::depth), .label = "composed"});
-  }
-  return *composed_;
+  return made(composed_, {.size = size_, .format = Format::rgba32f, .label = "composed"}, texture(Stores::depth));
 }
 
-Canvas& Targets::counts() { return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}); }
+Canvas& Targets::counts() {
+  return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}, texture(Stores::light_depth));
+}
 Canvas& Targets::counts_lit() {
   return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"});
 }

@@ -20,7 +20,7 @@ struct Canvas {
   gl::Texture texture;
   gl::Framebuffer framebuffer;
 };
-Canvas make_canvas(const gl::TextureDesc&);
+Canvas make_canvas(const gl::TextureDesc&, const gl::Texture* depth = nullptr);
 
 class Targets {
  public:
@@ -37,7 +37,7 @@ class Targets {
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
   Canvas& composed();                    // RGBA32F with the scene's depth: lit + transparent surfaces
   const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
-  Canvas& counts();  // RGBA32F: pairs tested, shaded, in range
+  Canvas& counts();  // RGBA32F: pairs tested, shaded, in range; with the lighting's depth
   Canvas& counts_lit();
   Canvas& count_sums();  // the reduction
   Canvas& probe();
