@@ -8,6 +8,7 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/report_json.h"
+#include "renderer/options.h"
 #include "renderer/packing_svg.h"
 #include "renderer/presets.h"
 #include "renderer/settings_json.h"
@@ -63,12 +64,16 @@ class Writer {
   std::vector<std::string> written_;
 };
 
+std::string cull_in_words(const Settings& s) {
+  return in_use(option("lights.cull"), s) ? fmt::format(" · cull {}", row(s.lights.cull).id) : "";
+}
+
 std::string in_words(const Settings& s, const FrameReport& r) {
   const Preset* p = preset_of(s);
   std::string text =
-      fmt::format("{} · {}x{} · {} lights, {} · cull {} · normal {} · {} + {} B/px", p ? p->label : s.scene, s.size.x,
-                  s.size.y, r.light_count, row(s.lights.method).label, row(s.lights.cull).id,
-                  row(s.normal.encoding).label, r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
+      fmt::format("{} · {}x{} · {} lights, {}{} · normal {} · {} + {} B/px", p ? p->label : s.scene, s.size.x, s.size.y,
+                  r.light_count, row(s.lights.method).label, cull_in_words(s), row(s.normal.encoding).label,
+                  r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
     text += fmt::format(" · shaded ÷ lit {:.2f}", double(r.pairs->shaded) / double(*r.pairs->lit));
   return text;

@@ -130,7 +130,9 @@ constexpr ValueRow kLightMethod[] = {
   {.value = at(LightMethod::prepass), .id = "prepass", .label = "deferred lighting", .help = "normal and gloss first, full-screen light into two targets, then geometry again with its materials", .cost = "geometry twice; a thin G-buffer", .source = "Engel 2008, Light Pre-Pass Renderer"},
   {.value = at(LightMethod::fullscreen), .id = "fullscreen", .label = "full screen", .help = "one pass: every pixel shades every light", .cost = "pixels x lights shaded"},
   {.value = at(LightMethod::fullscreen_radius), .id = "fullscreen-radius", .label = "full screen + distance test", .help = "one pass: every pixel reads every light and shades those in range", .cost = "pixels x lights read", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
-  {.value = at(LightMethod::volumes), .id = "volumes", .label = "light volumes", .help = "one sphere mesh per light: only the pixels under it are shaded", .cost = "1 draw and 1 blend per light", .source = "nclgl tutorial 15, DrawPointLights"},
+  {.value = at(LightMethod::volumes), .id = "volumes", .label = "light volumes", .help = "one mesh per light, a sphere or a spot's cone: only the pixels under it are shaded", .cost = "1 draw and 1 blend per light", .source = "nclgl tutorial 15, DrawPointLights"},
+  {.value = at(LightMethod::volumes_instanced), .id = "volumes-instanced", .label = "light volumes, instanced", .help = "all volumes of a shape in one draw; a culling rule that flips takes two, each leaving out the other's lights", .cost = "5 draws at most, 1 blend per light"},
+  {.value = at(LightMethod::volumes_stencil), .id = "volumes-stencil", .label = "light volumes + stencil", .help = "each volume marks the pixels whose surface is inside it, then only these are shaded", .cost = "2 draws per light, 1 B/px of stencil, a copy of the depth", .source = "Everitt and Kilgard 2002, Practical and Robust Stenciled Shadow Volumes (z-fail)", .needs = Feature::depth_clamp},
 };
 constexpr ValueRow kLightCull[] = {
   {.value = at(LightCull::flip), .id = "flip", .label = "flip", .help = "back faces when the camera is nearer than the range, else front faces (as source 0)", .source = "nclgl tutorial 15, renderer.cpp lines 228-234", .pitfall = "near-plane-cut"},
@@ -156,6 +158,8 @@ constexpr ValueRow kVolumeClip[] = {
 };
 constexpr ValueRow kVolumeDepth[] = {
   {.value = at(VolumeDepth::none), .id = "none", .label = "no depth test", .help = "every pixel under the volume is shaded, near or far"},
+  {.value = at(VolumeDepth::less_equal), .id = "less-equal", .label = "front faces before the surface", .help = "leaves out surfaces in front of the volume; needs cull back, and with it loses the light that the camera is inside", .cost = "a copy of the depth", .pitfall = "backface-cull-inside", .needs = Feature::depth_clamp},
+  {.value = at(VolumeDepth::greater_equal), .id = "greater-equal", .label = "back faces behind the surface", .help = "leaves out surfaces behind the volume; needs cull front, and is right inside and outside", .cost = "a copy of the depth", .needs = Feature::depth_clamp},
 };
 constexpr ValueRow kAccumulationFormat[] = {
   {.value = at(AccumulationFormat::rgba8), .id = "rgba8", .label = "RGBA8", .help = "saturates at 1 and drops faint lights", .cost = "4 B/px a target"},

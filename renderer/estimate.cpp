@@ -27,7 +27,7 @@ double covered_share(const Settings& s, const Light& light, double scale) {
 
 double estimate_work(const Settings& s, const std::vector<Light>& lights) {
   const double pixels = double(s.size.x) * s.size.y;
-  const double scale = volume_scale(s);
+  const double scale = volume_scale(s, VolumeShape::sphere);
   double under_volumes = 0;
   for (const Light& l : lights) under_volumes += covered_share(s, l, scale);
   switch (s.lights.method) {
@@ -37,6 +37,8 @@ double estimate_work(const Settings& s, const std::vector<Light>& lights) {
     case LightMethod::prepass:
     case LightMethod::fullscreen: return pixels * double(lights.size());
     case LightMethod::fullscreen_radius: return pixels * (kTestCost * double(lights.size()) + under_volumes);
+    case LightMethod::volumes_stencil: return pixels * under_volumes;  // at most: what is not inside is not shaded
+    case LightMethod::volumes_instanced:
     case LightMethod::volumes: return pixels * under_volumes * (s.lights.cull == LightCull::none ? 2 : 1);
   }
   return 0;

@@ -89,9 +89,12 @@ Attachment position_attachment(PositionSource source) {
   return {"gbuffer.position", Pass::geometry, Stores::position, kFormats[static_cast<int>(source)], row(source).help};
 }
 
+// D16 has no variant with a stencil buffer; validate() says so.
 Format depth_format(const Settings& s) {
   constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f, Format::d32f};
-  return kDepth[static_cast<int>(s.depth.format)];
+  const Format plain = kDepth[static_cast<int>(s.depth.format)];
+  if (!needs_stencil(s)) return plain;
+  return plain == Format::d24 ? Format::d24s8 : plain == Format::d32f ? Format::d32fs8 : plain;
 }
 
 Format accumulation_format(AccumulationFormat f) {
@@ -171,6 +174,18 @@ std::vector<Attachment> attachments(const Settings& s) {
   all.push_back(
       {"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
   return all;
+}
+
+bool needs_stencil(const Settings& s) {
+  return s.lights.method == LightMethod::volumes_stencil ||
+         (s.background.skip == BackgroundSkip::stencil && shading_of(s.lights.method) != Shading::forward);
+}
+
+bool lighting_has_depth(const Settings& s) { return lighting_tests_depth(s) || needs_stencil(s); }
+
+bool lighting_tests_depth(const Settings& s) {
+  return s.lights.method == LightMethod::volumes_stencil ||
+         (draws_chosen_faces(s.lights.method) && s.lights.volume.depth != VolumeDepth::none);
 }
 
 const Attachment* find(const std::vector<Attachment>& all, Stores what) {

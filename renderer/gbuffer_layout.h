@@ -23,6 +23,7 @@ enum class Stores {
   light,
   diffuse_light,
   specular_light,
+  light_depth,
   lit
 };
 
@@ -47,6 +48,15 @@ Shading shading_of(LightMethod);
 
 // Does the sum of light already hold ambient and emission when lighting begins?
 bool sum_begins_in_geometry(const Settings&);
+
+// Does a pass of these settings mark pixels? Then the depth attachment carries a stencil buffer.
+bool needs_stencil(const Settings&);
+
+// Does the lighting compare depths? Then it has a copy of the G-buffer's: to sample a texture while it is attached is
+// not allowed everywhere (WebGL 2 refuses it even with writes off).
+bool lighting_tests_depth(const Settings&);
+bool lighting_has_depth(const Settings&);  // that, or the stencil beside it
+
 
 // Every target that the geometry pass writes, depth included, as stored; accumulation apart.
 int gbuffer_bytes_per_pixel(const Settings&);

@@ -22,9 +22,15 @@ bool of_gbuffer(std::string_view path) {
 
 }  // namespace
 
+bool draws_chosen_faces(LightMethod m) { return m == LightMethod::volumes || m == LightMethod::volumes_instanced; }
+
+// Cull, level, fit, clip and depth of a volume mean nothing to a method that draws none. The stencil method draws both
+// faces against the depth, whatever is chosen: to it only the mesh's level and fit mean something.
 bool in_use(const Option& o, const Settings& s) {
   const std::string_view path = o.path;
-  if (path == "lights.cull" || path.starts_with("lights.volume.")) return s.lights.method == LightMethod::volumes;
+  const bool of_mesh = path == "lights.volume.level" || path == "lights.volume.fit";
+  if (of_mesh && s.lights.method == LightMethod::volumes_stencil) return true;
+  if (path == "lights.cull" || path.starts_with("lights.volume.")) return draws_chosen_faces(s.lights.method);
   if (of_gbuffer(path) && shading_of(s.lights.method) == Shading::forward) return false;
   if (path == "position.reconstruct") return s.position.source == PositionSource::depth;
   if (path == "tangents") return s.normal_map == NormalMap::on;

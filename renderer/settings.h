@@ -111,6 +111,9 @@ struct Settings {
 // The truth alone: two settings with equal truth share one reference picture.
 bool same_truth(const Settings&, const Settings&);
 
+// Does the method draw those faces of the lights' volumes that lights.cull, .clip and .depth choose?
+bool draws_chosen_faces(LightMethod);
+
 // Every unsound choice by its path and the failure it shows; empty = sound.
 struct Unsound {
   std::string path, value, pitfall;

@@ -57,13 +57,41 @@ void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Pr
                      targets, limits.max_draw_buffers)});
 }
 
+// A depth test keeps one side of the volumes; drawn with it, the other side's faces light what is not inside.
+void check_volumes(const Settings& s, std::vector<Problem>& out) {
+  if (needs_stencil(s) && s.depth.format == DepthFormat::d16)
+    out.push_back({ProblemId::stencil_needs_d24, "depth.format",
+                   fmt::format("d16 has no room for the stencil buffer that lights.method={} needs; choose d24 or d32f",
+                               row(s.lights.method).id)});
+  const VolumeDepth depth = s.lights.volume.depth;
+  if (!draws_chosen_faces(s.lights.method)) return;
+  const auto needs = [&](ProblemId id, LightCull cull, const char* side) {
+    if (s.lights.cull != cull)
+      out.push_back({id, "lights.cull",
+                     fmt::format("{} draws other faces than the {} faces that lights.volume.depth={} means; choose {}",
+                                 row(s.lights.cull).id, side, row(depth).id, row(cull).id)});
+  };
+  if (depth == VolumeDepth::less_equal) needs(ProblemId::less_equal_needs_back, LightCull::back, "front");
+  if (depth == VolumeDepth::greater_equal) needs(ProblemId::greater_equal_needs_front, LightCull::front, "back");
+}
+
 }  // namespace
 
 const char* id_of(ProblemId id) {
-  constexpr const char* kIds[] = {"not-finite",           "size-above-limit", "far-not-beyond-near",
-                                  "rig-not-read",         "rig-not-named",    "no-such-light",
-                                  "feature-missing",      "alpha-not-stored", "prepass-needs-split",
-                                  "samples-need-gbuffer", "too-many-targets"};
+  constexpr const char* kIds[] = {"not-finite",
+                                  "size-above-limit",
+                                  "far-not-beyond-near",
+                                  "rig-not-read",
+                                  "rig-not-named",
+                                  "no-such-light",
+                                  "stencil-needs-d24",
+                                  "less-equal-needs-back",
+                                  "greater-equal-needs-front",
+                                  "feature-missing",
+                                  "alpha-not-stored",
+                                  "prepass-needs-split",
+                                  "samples-need-gbuffer",
+                                  "too-many-targets"};
   return kIds[static_cast<int>(id)];
 }
 
@@ -86,6 +114,7 @@ std::vector<Problem> validate(const Settings& s, const DeviceLimits& limits) {
   if (s.lights.source == LightSource::generated && s.lights.only >= s.lights.count)
     out.push_back({ProblemId::no_such_light, "lights.only",
                    fmt::format("{} is not below lights.count {}; choose -1 for all", s.lights.only, s.lights.count)});
+  check_volumes(s, out);
   return out;
 }
 

@@ -9,11 +9,21 @@
 
 // Light records in the light texture, RGBA32F texels:
 //   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, falloff coefficients
-//   4: the range that the falloff's profile is a function of   5: screen bounds, NDC: x from, y from, x to, y to
+//   4: the range that the falloff's profile is a function of, the volume's shape   5: screen bounds, NDC: x from, y from, x to, y to
 #define LIGHT_TEXELS 6
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2
+
+// What stands for a light where volumes are drawn; SCREEN: a light without end.
+#define VOLUME_SPHERE 0
+#define VOLUME_CONE 1
+#define VOLUME_SCREEN 2
+
+// The lights that an instanced draw keeps, by where the camera is.
+#define KEEP_ALL 0
+#define KEEP_INSIDE 1
+#define KEEP_OUTSIDE 2
 
 // Instance records in the instance texture, RGBA32F texels: 0-3 columns of clip_from_object, 4-6 rows of
 // relative_from_object (3x4), 7-9 columns of the normals' matrix; 7.w: -1 where mirrored, 8.w: the object's number, from 1.

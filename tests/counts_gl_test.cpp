@@ -76,6 +76,84 @@ TEST_F(Counts, VolumesShadeAtLeastThePairsInRangeAndLessThanAll) {
   }
 }
 
+// The lighting's draws: all but those of a frame without lights.
+int lighting_draws(Stage& stage, Settings s) {
+  const int all = stage.draw(s).draw_calls;
+  s.lights.count = 0;
+  return all - stage.draw(s).draw_calls;
+}
+
+TEST_F(Counts, DrawCallsGrowWithTheLightsOnlyWhereTheMethodSaysSo) {
+  Stage stage(yard());
+  for (const int lights : {1, 64, 300}) {
+    Settings s = counted(LightMethod::fullscreen);
+    s.lights.count = lights;
+    EXPECT_EQ(lighting_draws(stage, s), 1);
+    s.lights.method = LightMethod::volumes;
+    EXPECT_EQ(lighting_draws(stage, s), lights);
+    s.lights.method = LightMethod::volumes_stencil;
+    EXPECT_EQ(lighting_draws(stage, s), 2 * lights);
+    s.lights.method = LightMethod::volumes_instanced;
+    EXPECT_EQ(lighting_draws(stage, s), 2) << "flip-safe: those that the camera is inside of, and the others";
+    s.lights.cull = LightCull::front;
+    EXPECT_EQ(lighting_draws(stage, s), 1);
+  }
+}
+
+// The same meshes, so the same pairs, whatever the rule; also the failing ones, from inside and outside.
+TEST_F(Counts, InstancedVolumesShadeThePairsOfSingleOnes) {
+  Stage stage(yard());
+  for_each_row<LightCull>([&](LightCull cull, auto& r) {
+    for (const VolumeFit fit : {VolumeFit::inscribed, VolumeFit::circumscribed}) {
+      Settings s = with_volumes(cull, fit);
+      const Picture single = count_picture(stage, s);
+      s.lights.method = LightMethod::volumes_instanced;
+      EXPECT_TRUE(same_bits(count_picture(stage, s), single)) << r.id;
+    }
+  });
+}
+
+// Less and less is shaded that is not lit: without a depth test; surfaces behind the volume left out; those before it,
+// too. What the stencil leaves is the mesh's excess over its sphere.
+TEST_F(Counts, ADepthTestLowersWhatIsShadedInVain) {
+  Stage stage(terrain());
+  Settings s = settings_for(terrain(), {320, 180});
+  s.lights.method = LightMethod::volumes;
+  s.lights.cull = LightCull::front;
+  s.lights.volume.level = VolumeLevel::l3;
+  const PairCounts none = stage.pairs(s);
+  s.lights.volume.depth = VolumeDepth::greater_equal;
+  const PairCounts behind = stage.pairs(s);
+  s.lights.method = LightMethod::volumes_stencil;
+  const PairCounts inside = stage.pairs(s);
+  EXPECT_EQ(none.lit, behind.lit);
+  EXPECT_EQ(none.lit, inside.lit);
+  EXPECT_LT(double(behind.shaded), 0.9 * double(none.shaded));
+  EXPECT_LT(inside.shaded, behind.shaded);
+  EXPECT_GE(inside.shaded, *inside.lit);
+  EXPECT_LE(double(inside.shaded), 1.05 * double(*inside.lit));
+  EXPECT_EQ(inside.tested, inside.shaded) << "the draw that marks reads no record for a pixel";
+}
+
+// The marks of a light are gone when it is done: not one is left after a frame, and none after a count.
+TEST_F(Counts, NoMarkIsLeftInTheStencil) {
+  for (const auto& [format, texel, at] : {std::tuple(DepthFormat::d24, 4, 0), {DepthFormat::d32f, 8, 4}}) {
+    Stage stage(yard());
+    Settings s = counted(LightMethod::volumes_stencil);
+    s.depth.format = format;
+    const auto marks = [&] {
+      const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.texture(Stores::light_depth));
+      int left = 0;
+      for (int i = 0; i < s.size.x * s.size.y; ++i) left += bytes[texel * i + at] != 0;
+      return left;
+    };
+    stage.draw(s);
+    EXPECT_EQ(marks(), 0) << row(format).id;
+    EXPECT_GT(stage.pairs(s).shaded, 0u);
+    EXPECT_EQ(marks(), 0) << row(format).id;
+  }
+}
+
 TEST_F(Counts, NoCullingCountsTwiceFromOutside) {
   Stage stage(yard());
   Settings s = with_volumes(LightCull::front);
@@ -191,12 +269,14 @@ TEST_F(Counts, SixteenThousandLightsAreDrawnAndCounted) {
   const PairCounts loop = stage.pairs(s);
   EXPECT_EQ(loop.tested, surface * kMaxLights);  // 3e7: beyond what one float could count
   EXPECT_EQ(loop.shaded, loop.lit.value());
-  s.lights.method = LightMethod::volumes;
   s.lights.volume.level = VolumeLevel::l0;
-  EXPECT_TRUE(like(stage.lit(s), reference, {.max_abs = 1e-5, .why = "float sums of the few lights in range"}));
-  const PairCounts volumes = stage.pairs(s);
-  EXPECT_EQ(volumes.lit, loop.lit);
-  EXPECT_GE(volumes.shaded, volumes.lit.value());
+  for (const LightMethod m : {LightMethod::volumes, LightMethod::volumes_instanced, LightMethod::volumes_stencil}) {
+    s.lights.method = m;
+    EXPECT_TRUE(like(stage.lit(s), reference, {.max_abs = 1e-5, .why = "float sums of the few lights in range"}));
+    const PairCounts volumes = stage.pairs(s);
+    EXPECT_EQ(volumes.lit, loop.lit);
+    EXPECT_GE(volumes.shaded, volumes.lit.value());
+  }
   s.lights.count = 0;
   EXPECT_EQ(stage.pairs(s).tested, 0u);
 }

@@ -9,7 +9,7 @@ class Frames : public GlTest {};
 
 // Settings that differ in every attachment, in method, lights, camera and size.
 std::vector<Settings> different_settings() {
-  std::vector<Settings> all(3, settings_for(yard(), {64, 36}));
+  std::vector<Settings> all(5, settings_for(yard(), {64, 36}));
   all[1].layout = Layout::nclgl;
   all[1].normal.encoding = NormalEncoding::xyz8;
   all[1].depth.format = DepthFormat::d24;
@@ -28,6 +28,12 @@ std::vector<Settings> different_settings() {
   all[2].lights.seed = 9;
   all[2].colour = Colour::as_tutorial;
   all[2].time_s = 5;
+  all[3].lights.method = LightMethod::volumes_stencil;
+  all[3].accumulation.targets = AccumulationTargets::one;
+  all[4].depth.format = DepthFormat::d24;
+  all[4].lights.method = LightMethod::volumes_instanced;
+  all[4].lights.cull = LightCull::front;
+  all[4].lights.volume.depth = VolumeDepth::greater_equal;
   return all;
 }
 
@@ -133,7 +139,8 @@ void scramble_state() {
                             GL_RASTERIZER_DISCARD, GL_PRIMITIVE_RESTART, GL_DITHER, GL_SAMPLE_COVERAGE})
     glEnable(what);
   glScissor(0, 0, 1, 1), glViewport(5, 3, 2, 2), glDepthRange(0.9, 0.2);
-  glStencilFunc(GL_NEVER, 1, 0xff), glStencilMask(0), glDepthFunc(GL_NEVER), glDepthMask(GL_FALSE);
+  glStencilFunc(GL_NEVER, 1, 0xff), glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT), glStencilMask(0),
+      glDepthFunc(GL_NEVER), glDepthMask(GL_FALSE);
   glBlendFunc(GL_ZERO, GL_ZERO), glBlendEquation(GL_MIN), glColorMask(0, 1, 0, 0), glLogicOp(GL_CLEAR);
   glCullFace(GL_FRONT_AND_BACK), glFrontFace(GL_CW), glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
   glPolygonOffset(1e3f, 1e3f), glPrimitiveRestartIndex(1), glClampColor(GL_CLAMP_READ_COLOR, GL_TRUE);

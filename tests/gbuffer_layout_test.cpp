@@ -13,7 +13,12 @@ namespace gbl {
 namespace {
 
 // The options that decide what is stored.
-constexpr const char* kDecide[] = {"layout", "normal.encoding", "depth.format", "accumulation.format",
+constexpr const char* kDecide[] = {"layout",
+                                   "normal.encoding",
+                                   "depth.format",
+                                   "lights.method",
+                                   "lights.volume.depth",
+                                   "accumulation.format",
                                    "accumulation.targets"};
 
 void for_each_combination(const std::function<void(const Settings&)>& check) {
@@ -89,7 +94,8 @@ TEST(GbufferLayout, EveryCombinationStoresEachThingOnceUnderItsOwnName) {
       EXPECT_TRUE(stored.insert(a.stores).second) << a.name;
       EXPECT_STRNE(a.contents, "") << a.name;
       EXPECT_EQ(find(all, a.stores), &a);
-      EXPECT_EQ(row(a.format).numeric == Numeric::depth, a.stores == Stores::depth) << a.name;
+      const bool depth = a.stores == Stores::depth || a.stores == Stores::light_depth;
+      EXPECT_EQ(row(a.format).numeric == Numeric::depth, depth) << a.name;
     }
     const bool split = s.accumulation.targets == AccumulationTargets::split;
     EXPECT_TRUE(stored.count(Stores::material) && stored.count(Stores::depth));
@@ -103,6 +109,36 @@ TEST(GbufferLayout, EveryCombinationStoresEachThingOnceUnderItsOwnName) {
   size_t expected = 1;
   for (const char* path : kDecide) expected *= option(path).values.size() - (path == std::string("layout"));
   EXPECT_EQ(combinations, expected);
+}
+
+// The stencil method's marks lie beside the depth, in the G-buffer too: a depth is copied between equal formats alone.
+TEST(GbufferLayout, StencilComesWithItsMethodAndACopyOfTheDepthWithAnyDepthTest) {
+  Settings s = preset("start").make();
+  EXPECT_EQ(find(attachments(s), Stores::light_depth), nullptr);
+  s.lights.volume.depth = VolumeDepth::greater_equal;
+  EXPECT_FALSE(needs_stencil(s));
+  EXPECT_EQ(format_of(Stores::light_depth, s), Format::d32f);
+  EXPECT_EQ(accumulation_bytes_per_pixel(s), 20);  // two RGBA16F and the copy
+  s.lights.method = LightMethod::fullscreen;
+  EXPECT_EQ(find(attachments(s), Stores::light_depth), nullptr);
+  s.lights.method = LightMethod::volumes_stencil;
+  EXPECT_TRUE(needs_stencil(s));
+  EXPECT_EQ(format_of(Stores::depth, s), Format::d32fs8);
+  EXPECT_EQ(gbuffer_bytes_per_pixel(s), 16);  // D32F and 8 bits of stencil are padded to 8 B
+  EXPECT_EQ(accumulation_bytes_per_pixel(s), 24);
+  s.depth.format = DepthFormat::d24;
+  EXPECT_EQ(format_of(Stores::depth, s), Format::d24s8);
+  EXPECT_EQ(gbuffer_bytes_per_pixel(s), 12);
+  for_each_combination([](const Settings& any) {
+    const std::vector<Attachment> all = attachments(any);
+    const Attachment* copy = find(all, Stores::light_depth);
+    EXPECT_EQ(copy != nullptr, lighting_tests_depth(any));
+    if (copy) {
+      EXPECT_EQ(copy->format, find(all, Stores::depth)->format);
+    }
+    const bool has_room = any.depth.format != DepthFormat::d16;
+    EXPECT_EQ(row(find(all, Stores::depth)->format).stencil, needs_stencil(any) && has_room);
+  });
 }
 
 TEST(GbufferLayout, BytesAreTheSumOfTheRowsPassByPass) {

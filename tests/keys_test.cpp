@@ -25,7 +25,8 @@ TEST(Keys, EveryOptionsKeyStepsItAndShiftStepsBack) {
     EXPECT_EQ(desk.settings, expected) << o.path;
     desk.press(lower(o.key), true);
     EXPECT_EQ(desk.settings, before) << o.path << " backwards";
-    for (size_t i = 0; i < o.values.size(); ++i) desk.press(lower(o.key));
+    for (const ValueRow& r : o.values)
+      if (FeatureSet().has(r.needs)) desk.press(lower(o.key));  // the desk has no features: such rows are passed over
     EXPECT_EQ(desk.settings, before) << o.path << " all the way round";
   }
 }

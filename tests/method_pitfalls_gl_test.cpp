@@ -69,6 +69,12 @@ Settings from_outside(LightCull cull) {
   return s;
 }
 
+Settings less_equal(Settings s) {
+  s.lights.volume.depth = VolumeDepth::less_equal;
+  s.lights.volume.clip = VolumeClip::none;
+  return s;
+}
+
 Settings lesson_step(size_t k) {
   Settings s = settings_at(load_lesson("three-ways-to-lose-a-light"), k);
   s.lights.only = 37;
@@ -103,6 +109,25 @@ TEST_F(MethodPitfalls, BackfaceCullInsideLosesTheWholeLight) {
   }
   const Score outside = score(from_outside(LightCull::back), terrain());
   EXPECT_TRUE(outside.right()) << outside;  // from outside it is as good as any
+}
+
+// Front faces before the surface: right from outside, and as lost from inside as without the depth test.
+TEST_F(MethodPitfalls, LessEqualLosesTheLightThatTheCameraIsInsideOf) {
+  for (const LightMethod method : {LightMethod::volumes, LightMethod::volumes_instanced}) {
+    Settings s = less_equal(start_with(LightCull::back));
+    s.lights.method = method;
+    const Score inside = score(s, terrain());
+    EXPECT_TRUE(inside.all_lost()) << inside;
+    s = less_equal(from_outside(LightCull::back));
+    s.lights.method = method;
+    const Score outside = score(s, terrain());
+    EXPECT_TRUE(outside.right()) << outside;
+    s = start_with(LightCull::front);
+    s.lights.method = method;
+    s.lights.volume.depth = VolumeDepth::greater_equal;  // the mend
+    const Score mended = score(s, terrain());
+    EXPECT_TRUE(mended.right()) << mended;
+  }
 }
 
 TEST_F(MethodPitfalls, NoCullingDoublesFromOutsideAndOnlyThere) {
@@ -171,6 +196,7 @@ TEST_F(MethodPitfalls, EveryUnsoundRowHasAProof) {
       {"lights.cull=none", [] { return score(from_outside(LightCull::none), terrain()); }},
       {"lights.cull=flip", [] { return score(lesson_step(4), terrain()); }},
       {"lights.volume.fit=inscribed", [] { return score(yard_rim(VolumeFit::inscribed), yard()); }},
+      {"lights.volume.depth=less-equal", [] { return score(less_equal(start_with(LightCull::back)), terrain()); }},
       {"lights.volume.clip=planes", [] { return score(far_plane_through_volume(VolumeClip::planes), terrain()); }},
   };
   for (const Option& o : options()) {

@@ -13,9 +13,15 @@ namespace {
 
 const DeviceLimits kCorePath{};  // nothing beyond GL 3.3 core
 
+DeviceLimits every_feature() {
+  DeviceLimits all;
+  for (const FeatureRow& f : kFeatures) all.features.add(f.feature);
+  return all;
+}
+
 // As few targets as OpenGL ES 3.0 promises, for the one problem that only such a device has.
 DeviceLimits limits_for(ProblemId id) {
-  DeviceLimits limits = kCorePath;
+  DeviceLimits limits = every_feature();
   if (id == ProblemId::too_many_targets) limits.max_draw_buffers = 4;
   return limits;
 }
@@ -55,6 +61,18 @@ const Case kCases[] = {
      [](Settings& s) {
        s.layout = Layout::objectid;
        s.position.source = PositionSource::world32f;
+     }},
+    {ProblemId::stencil_needs_d24, "depth.format",
+     [](Settings& s) {
+       s.lights.method = LightMethod::volumes_stencil;
+       s.depth.format = DepthFormat::d16;
+     }},
+    {ProblemId::less_equal_needs_back, "lights.cull",
+     [](Settings& s) { s.lights.volume.depth = VolumeDepth::less_equal; }},
+    {ProblemId::greater_equal_needs_front, "lights.cull",
+     [](Settings& s) {
+       s.lights.method = LightMethod::volumes_instanced;
+       s.lights.volume.depth = VolumeDepth::greater_equal;
      }},
 };
 
@@ -111,8 +129,7 @@ TEST(Validate, AMissingFeatureNamesRowAndFeature) {
       SCOPED_TRACE(std::string(o.path) + "=" + r.id);
       Settings s = preset("start").make();
       o.set(s, r.id, o);
-      DeviceLimits all;
-      for (const FeatureRow& f : kFeatures) all.features.add(f.feature);
+      DeviceLimits all = every_feature();
       EXPECT_TRUE(missing_features(s, all).empty());
       all.features.remove(r.needs);
       const std::vector<Problem> problems = missing_features(s, all);
@@ -121,6 +138,25 @@ TEST(Validate, AMissingFeatureNamesRowAndFeature) {
       EXPECT_TRUE(contains(problems[0].sentence, r.id)) << problems[0].sentence;
       EXPECT_TRUE(contains(problems[0].sentence, kFeatures[static_cast<int>(r.needs) - 1].id)) << problems[0].sentence;
     }
+}
+
+// What a depth test needs is asked of those methods that make it, and each need is met by one row.
+TEST(Validate, ADepthTestGoesWithOneCullingRule) {
+  for (const ValueRow& depth : rows<VolumeDepth>()) {
+    int valid = 0;
+    for (const ValueRow& cull : rows<LightCull>()) {
+      Settings s = preset("start").make();
+      s.lights.volume.depth = static_cast<VolumeDepth>(depth.value);
+      s.lights.cull = static_cast<LightCull>(cull.value);
+      valid += validate(s, every_feature()).empty();
+      for (const LightMethod m : {LightMethod::fullscreen, LightMethod::volumes_stencil}) {
+        s.lights.method = m;
+        EXPECT_TRUE(validate(s, every_feature()).empty()) << depth.id << " " << cull.id;
+      }
+    }
+    const bool tests = depth.value != static_cast<int>(VolumeDepth::none);
+    EXPECT_EQ(valid, tests ? 1 : static_cast<int>(rows<LightCull>().size())) << depth.id;
+  }
 }
 
 TEST(Validate, EveryIdIsUniqueAndProducedAbove) {

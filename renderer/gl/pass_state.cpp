@@ -9,6 +9,31 @@ namespace {
 void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
 
 constexpr GLenum kDepthFunctions[] = {GL_ALWAYS, GL_LESS, GL_LEQUAL, GL_EQUAL, GL_GREATER, GL_GEQUAL};
+
+struct StencilRow {
+  Stencil stencil;
+  GLenum test;                       // of the stored value's `mask` bits, with `reference`'s
+  GLint reference;
+  GLuint mask, written;              // bits that are compared, and that are changed
+  GLenum front_hidden, back_hidden;  // what happens where the depth test fails
+  GLenum drawn;                      // … and where nothing fails
+};
+constexpr StencilRow kStencils[] = {
+    {Stencil::off, GL_ALWAYS, 0, 0xff, 0xff, GL_KEEP, GL_KEEP, GL_KEEP},
+    {Stencil::mark_surface, GL_ALWAYS, 0x80, 0x80, 0x80, GL_KEEP, GL_KEEP, GL_REPLACE},
+    {Stencil::only_surfaces, GL_EQUAL, 0x80, 0x80, 0, GL_KEEP, GL_KEEP, GL_KEEP},
+    {Stencil::count_hidden, GL_ALWAYS, 0, 0x7f, 0x7f, GL_DECR_WRAP, GL_INCR_WRAP, GL_KEEP},
+    {Stencil::take_marked, GL_NOTEQUAL, 0, 0x7f, 0x7f, GL_KEEP, GL_KEEP, GL_ZERO},
+};
+
+void apply_stencil(Stencil stencil) {
+  const StencilRow& r = kStencils[static_cast<int>(stencil)];
+  enable(GL_STENCIL_TEST, r.stencil != Stencil::off);
+  glStencilFunc(r.test, r.reference, r.mask);
+  glStencilMask(r.written);
+  glStencilOpSeparate(GL_FRONT, GL_KEEP, r.front_hidden, r.drawn);
+  glStencilOpSeparate(GL_BACK, GL_KEEP, r.back_hidden, r.drawn);
+}
 }  // namespace
 
 void apply_cull(Cull cull) {
@@ -18,15 +43,13 @@ void apply_cull(Cull cull) {
 
 void apply_winding(Winding w) { glFrontFace(w == Winding::clockwise ? GL_CW : GL_CCW); }
 
-void apply(const PassState& s) {
+void change(const PassState& s) {
   // GL ignores depth writes while the test is off.
   enable(GL_DEPTH_TEST, s.depth != DepthTest::off || s.depth_write);
   glDepthFunc(kDepthFunctions[static_cast<int>(s.depth)]);
   glDepthMask(s.depth_write);
-  apply_winding(Winding::counter_clockwise);
   apply_cull(s.cull);
   enable(GL_BLEND, s.blend != Blend::off);
-  glBlendEquation(GL_FUNC_ADD);
   if (s.blend == Blend::alpha)
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   else if (s.blend == Blend::add_colour)
@@ -34,12 +57,18 @@ void apply(const PassState& s) {
   else
     glBlendFunc(GL_ONE, GL_ONE);
   glColorMask(s.colour_write, s.colour_write, s.colour_write, s.colour_write);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_COLOR_LOGIC_OP);
+  apply_stencil(s.stencil);
   if (device().features.has(Feature::depth_clamp)) enable(GL_DEPTH_CLAMP, s.depth_clamp);
   if (device().features.has(Feature::clip_control))
     glClipControl(GL_LOWER_LEFT, s.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+}
+
+void apply(const PassState& s) {
+  change(s);
+  apply_winding(Winding::counter_clockwise);
+  glBlendEquation(GL_FUNC_ADD);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_COLOR_LOGIC_OP);
   glDepthRange(0, 1);
   glDisable(GL_DITHER);
   glDisable(GL_POLYGON_OFFSET_FILL);

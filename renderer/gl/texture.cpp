@@ -99,7 +99,7 @@ Renderbuffer make_samples(glm::ivec2 size, Format format, int samples) {
 }
 
 Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colours, const Renderbuffer& depth,
-                                    std::string_view label) {
+                                    bool stencil, std::string_view label) {
   Framebuffer fbo = Framebuffer::make();
   glBindFramebuffer(GL_FRAMEBUFFER, fbo.id());
   std::vector<GLenum> buffers;
@@ -108,7 +108,8 @@ Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colo
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, slot, GL_RENDERBUFFER, colour->id());
     buffers.push_back(slot);
   }
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                            GL_RENDERBUFFER, depth.id());
   glDrawBuffers(static_cast<GLsizei>(buffers.size()), buffers.data());
   set_label(GL_FRAMEBUFFER, fbo.id(), label);
   require_complete(label);

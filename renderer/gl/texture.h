@@ -56,7 +56,7 @@ Framebuffer make_framebuffer(const FramebufferDesc&);  // Error if the driver re
 using Renderbuffer = Object<Kind::renderbuffer>;
 Renderbuffer make_samples(glm::ivec2 size, Format, int samples);
 Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colours, const Renderbuffer& depth,
-                                    std::string_view label);
+                                    bool stencil, std::string_view label);
 
 void bind_texture(int unit, const Texture&);
 

@@ -28,6 +28,9 @@ int draw_geometry(const Frame& frame) {
   begin_drawing(t.geometry_framebuffer(), frame.settings.size,
                 depth_tested(frame, gl::DepthTest::less,
                              {.depth_write = true,
+                              .stencil = frame.settings.background.skip == BackgroundSkip::stencil
+                                             ? gl::Stencil::mark_surface
+                                             : gl::Stencil::off,
                               .blend = frame.mistaken("blend-on-in-fill") ? gl::Blend::alpha : gl::Blend::off}));
   clear_gbuffer(frame);
   const int calls = draw_objects(frame, draws, "geometry.frag", frame.surface_defines());

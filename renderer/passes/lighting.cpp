@@ -11,11 +11,29 @@ gl::Defines LightingPass::defines() const {
   return d;
 }
 
+namespace {
+
+void copy_depth(const Frame& frame, const gl::Framebuffer& into) {
+  const glm::ivec2 size = frame.settings.size;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.targets.framebuffer(Pass::geometry).id());
+  // With the stencil: its marks of surfaces are wanted here, and the other bits are 0.
+  const GLbitfield stencil = needs_stencil(frame.settings) ? GL_STENCIL_BUFFER_BIT : 0u;
+  glDepthMask(true);
+  glStencilMask(0xff);
+  glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT | stencil, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, into.id());
+}
+
+}  // namespace
+
 int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer& into) {
-  begin_drawing(into, frame.settings.size, {.blend = gl::Blend::add});
+  const gl::PassState state{.blend = gl::Blend::add, .stencil = light_stencil(frame)};
+  begin_drawing(into, frame.settings.size, state);
   const int targets = output == LightOutput::split ? 2 : 1;
   const bool begun = output == LightOutput::sum && sum_begins_in_geometry(frame.settings);
   for (int i = 0; i < targets && !begun; ++i) glClearBufferfv(GL_COLOR, i, kNothing);
+  if (lighting_has_depth(frame.settings)) copy_depth(frame, into);
+  gl::change(state);
   if (frame.targets.lights.empty()) return 0;
   bind_gbuffer(frame);
   bind_lights(frame);

@@ -14,6 +14,8 @@ struct LightingPass {
 int draw_fullscreen_lights(const LightingPass&);
 int draw_fullscreen_radius_lights(const LightingPass&);
 int draw_volume_lights(const LightingPass&);
+int draw_volume_lights_instanced(const LightingPass&);
+int draw_volume_lights_stencil(const LightingPass&);
 
 struct MethodRow {
   LightMethod method;
@@ -27,6 +29,8 @@ inline constexpr MethodRow kMethods[] = {
     {LightMethod::fullscreen, draw_fullscreen_lights},
     {LightMethod::fullscreen_radius, draw_fullscreen_radius_lights},
     {LightMethod::volumes, draw_volume_lights},
+    {LightMethod::volumes_instanced, draw_volume_lights_instanced},
+    {LightMethod::volumes_stencil, draw_volume_lights_stencil},
 };
 
 }  // namespace gbl

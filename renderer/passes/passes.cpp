@@ -43,6 +43,14 @@ gl::PassState depth_tested(const Frame& frame, gl::DepthTest test, gl::PassState
 void clear_depth(const Frame& frame) {
   const float farthest = frame.depth_runs() == DepthRuns::reversed ? 0.0f : 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
+  constexpr GLint kUnmarked = 0;
+  if (row(frame.targets.texture(Stores::depth)->format).stencil) glClearBufferiv(GL_STENCIL, 0, &kUnmarked);
+}
+
+gl::Stencil light_stencil(const Frame& frame) {
+  const Settings& s = frame.settings;
+  const bool bits_are_free = s.lights.method != LightMethod::volumes_stencil;
+  return s.background.skip == BackgroundSkip::stencil && bits_are_free ? gl::Stencil::only_surfaces : gl::Stencil::off;
 }
 
 void bind_gbuffer(const Frame& frame) {
@@ -93,6 +101,10 @@ void upload_frame_block(const Frame& frame) {
   gl::write_uniform_block(frame.targets.frame_block, 0, &block, sizeof block);
 }
 
+static_assert(static_cast<int>(VolumeShape::sphere) == VOLUME_SPHERE &&
+              static_cast<int>(VolumeShape::cone) == VOLUME_CONE &&
+              static_cast<int>(VolumeShape::screen) == VOLUME_SCREEN);
+
 void upload_lights(const Frame& frame) {
   Targets& t = frame.targets;
   t.record_texels.clear();
@@ -101,7 +113,7 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
     t.record_texels.emplace_back(l.direction, l.inner_cos);
     t.record_texels.emplace_back(l.outer_cos, l.coefficients);
-    t.record_texels.emplace_back(l.profile_range, 0, 0, 0);
+    t.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);
     t.record_texels.emplace_back(-1, -1, 1, 1);
   }
   upload_records(t.light_data, t.record_texels, kLightUnit, "lights");

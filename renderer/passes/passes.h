@@ -1,12 +1,10 @@
 #pragma once
 // The passes, each a function of the frame. A pass states all its state and binds all it reads.
 #include "renderer/gl/pass_state.h"
+#include "renderer/light_volume.h"
 #include "renderer/passes/frame.h"
 
 namespace gbl {
-
-// Has the light an end, so that a volume can hold it?
-inline bool bounded(const Light& l) { return l.kind != LightKind::directional && l.range < kEndless; }
 
 // Bind where a pass draws, set the viewport, apply its state.
 void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&);
@@ -14,6 +12,8 @@ void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&
 // The state with this depth test, whichever way depth runs; and the farthest depth into the bound framebuffer.
 gl::PassState depth_tested(const Frame&, gl::DepthTest, gl::PassState);
 void clear_depth(const Frame&);
+// The stencil test that leaves the background out of the light passes, if background.skip asks for it.
+gl::Stencil light_stencil(const Frame&);
 
 // Textures of the G-buffer and the light records, at the units of programs.h.
 void bind_gbuffer(const Frame&);

@@ -1,14 +1,14 @@
 #pragma once
-// Meshes that every frame shares: the full-screen triangle and the light volumes' spheres.
+// Meshes that every frame shares: the full-screen triangle and the light volumes.
 #include <array>
 #include <optional>
 
 #include "renderer/gl/buffer.h"
-#include "renderer/settings.h"
+#include "renderer/light_volume.h"
 
 namespace gbl {
 
-struct Sphere {
+struct GpuVolume {
   gl::Buffer vertices, triangles, edges;
   gl::VertexArray solid, wire;
   GLsizei triangle_indices = 0, edge_indices = 0;
@@ -16,12 +16,12 @@ struct Sphere {
 
 class Shapes {
  public:
-  const Sphere& sphere(VolumeLevel);                 // made at first use
-  void draw_fullscreen();                            // with the bound program and framebuffer
-  void draw_generated(int vertices, int instances);  // triangles from gl_VertexID alone
+  const GpuVolume& volume(VolumeShape, VolumeLevel);  // a sphere or a cone, made at first use
+  void draw_fullscreen(int instances = 1);            // with the bound program and framebuffer
+  void draw_generated(int vertices, int instances);   // triangles from gl_VertexID alone
 
  private:
-  std::array<std::optional<Sphere>, 5> spheres_;
+  std::array<std::array<std::optional<GpuVolume>, 5>, 2> volumes_;
   gl::VertexArray empty_;
 };
 

@@ -13,8 +13,8 @@ bool same(const std::vector<Attachment>& a, const std::vector<Attachment>& b) {
   return true;
 }
 
-Canvas& made(std::optional<Canvas>& canvas, const gl::TextureDesc& desc) {
-  if (!canvas) canvas = make_canvas(desc);
+Canvas& made(std::optional<Canvas>& canvas, const gl::TextureDesc& desc, const gl::Texture* depth = nullptr) {
+  if (!canvas) canvas = make_canvas(desc, depth);
   return *canvas;
 }
 
@@ -32,10 +32,10 @@ double mib_of(const gl::Texture& t) { return double(t.size.x) * t.size.y * row(t
 
 }  // namespace
 
-Canvas make_canvas(const gl::TextureDesc& desc) {
+Canvas make_canvas(const gl::TextureDesc& desc, const gl::Texture* depth) {
   Canvas c;
   c.texture = gl::make_texture(desc);
-  c.framebuffer = gl::make_framebuffer({.colours = {&c.texture}, .label = desc.label});
+  c.framebuffer = gl::make_framebuffer({.colours = {&c.texture}, .depth = depth, .label = desc.label});
   return c;
 }
 
@@ -45,15 +45,16 @@ Targets::Samples Targets::make_sampled(glm::ivec2 size, const std::vector<Attach
   size_t depth = 0;
   for (const Attachment& a : wanted) {
     if (a.written_by != Pass::geometry) continue;
-    if (a.stores == Stores::depth)
+    if (a.stores == Stores::depth) {
       depth = out.buffers.size();
-    else
+      out.stencil = row(a.format).stencil;
+    } else
       colours.push_back(out.buffers.size());
     out.buffers.push_back(gl::make_samples(size, a.format, kSamples));
   }
   std::vector<const gl::Renderbuffer*> attached;
   for (const size_t i : colours) attached.push_back(&out.buffers[i]);
-  out.framebuffer = gl::make_sample_framebuffer(attached, out.buffers[depth], "gbuffer.samples");
+  out.framebuffer = gl::make_sample_framebuffer(attached, out.buffers[depth], out.stencil, "gbuffer.samples");
   out.colour_count = static_cast<int>(colours.size());
   return out;
 }
@@ -68,6 +69,9 @@ void Targets::resolve_samples() const {
   gl::apply({});
   glBindFramebuffer(GL_READ_FRAMEBUFFER, samples_->framebuffer.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer(Pass::geometry).id());
+  const GLbitfield depth_bits = GL_DEPTH_BUFFER_BIT | (samples_->stencil ? GL_STENCIL_BUFFER_BIT : 0u);
+  glDepthMask(true);
+  glStencilMask(0xff);
   std::vector<GLenum> all;
   for (int i = 0; i < samples_->colour_count; ++i) {
     const GLenum slot = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
@@ -76,7 +80,7 @@ void Targets::resolve_samples() const {
     glReadBuffer(slot);
     glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
     glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
-                      GL_COLOR_BUFFER_BIT | (i == 0 ? GL_DEPTH_BUFFER_BIT : 0u), GL_NEAREST);
+                      GL_COLOR_BUFFER_BIT | (i == 0 ? depth_bits : 0u), GL_NEAREST);
     all.push_back(slot);
   }
   glDrawBuffers(static_cast<GLsizei>(all.size()), all.data());
@@ -105,14 +109,14 @@ void Targets::prepare(const Settings& s) {
   std::optional<Samples> samples;
   if (multisampled) samples = make_sampled(s.size, wanted);
   // Everything new exists: only now let go of the old.
-  for (auto* c : {&composed_, &ids_}) c->reset();  // they share the depth attachment
+  for (auto* c : {&composed_, &ids_, &counts_}) c->reset();  // they share depth attachments
   counts_with_depth_ = {}, counts_depth_ = {};
   samples_ = std::move(samples);
   multisampled_ = multisampled;
   shading_ = shading;
   if (size_ != s.size) {
     for (auto& v : views_) v.reset();
-    for (auto* c : {&counts_, &counts_lit_, &count_sums_, &unblurred_}) c->reset();
+    for (auto* c : {&counts_lit_, &count_sums_, &unblurred_}) c->reset();
   }
   size_ = s.size;
   attachments_ = std::move(wanted);
@@ -149,18 +153,15 @@ const Canvas* Targets::drawn_view(View v) const {
 }
 
 Canvas& Targets::composed() {
-  if (!composed_) {
-    composed_.emplace();
-    composed_->texture = gl::make_texture({.size = size_, .format = Format::rgba32f, .label = "composed"});
+  if (!composed_)
     composed_depth_ =
         gl::make_texture({.size = size_, .format = texture(Stores::depth)->format, .label = "composed.depth"});
-    composed_->framebuffer =
-        gl::make_framebuffer({.colours = {&composed_->texture}, .depth = &composed_depth_, .label = "composed"});
-  }
-  return *composed_;
+  return made(composed_, {.size = size_, .format = Format::rgba32f, .label = "composed"}, &composed_depth_);
 }
 
-Canvas& Targets::counts() { return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}); }
+Canvas& Targets::counts() {
+  return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"}, texture(Stores::light_depth));
+}
 const gl::Framebuffer& Targets::counts_with_depth() {
   if (!counts_with_depth_) {
     counts_depth_ = gl::make_texture({.size = size_, .format = Format::d32f, .label = "counts.depth"});
@@ -173,13 +174,7 @@ Canvas& Targets::unblurred() {
   return made(unblurred_, {.size = size_, .format = Format::rgba32f, .label = "unblurred"});
 }
 Canvas& Targets::ids() {
-  if (!ids_) {
-    ids_.emplace();
-    ids_->texture = gl::make_texture({.size = size_, .format = Format::r32ui, .label = "ids"});
-    ids_->framebuffer =
-        gl::make_framebuffer({.colours = {&ids_->texture}, .depth = texture(Stores::depth), .label = "ids"});
-  }
-  return *ids_;
+  return made(ids_, {.size = size_, .format = Format::r32ui, .label = "ids"}, texture(Stores::depth));
 }
 Canvas& Targets::counts_lit() {
   return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"});

@@ -20,7 +20,7 @@ struct Canvas {
   gl::Texture texture;
   gl::Framebuffer framebuffer;
 };
-Canvas make_canvas(const gl::TextureDesc&);
+Canvas make_canvas(const gl::TextureDesc&, const gl::Texture* depth = nullptr);
 
 class Targets {
  public:
@@ -40,7 +40,7 @@ class Targets {
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
   Canvas& composed();  // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
   const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
-  Canvas& counts();                            // RGBA32F: pairs tested, shaded, in range
+  Canvas& counts();  // RGBA32F: pairs tested, shaded, in range; with the lighting's depth
   const gl::Framebuffer& counts_with_depth();  // counts() with a depth buffer of its own: forward shading draws anew
   Canvas& counts_lit();
   Canvas& unblurred();   // RGBA32F: `lit` before its edges are blurred
@@ -76,6 +76,7 @@ class Targets {
     std::vector<gl::Renderbuffer> buffers;
     gl::Framebuffer framebuffer;
     int colour_count = 0;
+    bool stencil = false;
   };
   static Samples make_sampled(glm::ivec2 size, const std::vector<Attachment>&);
   std::optional<Samples> samples_;

@@ -4,15 +4,28 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "renderer/light_volume.h"
-#include "renderer/passes/passes.h"
+#include "renderer/passes/volumes.h"
 
 namespace gbl {
 namespace {
 
-void draw_wire(const gl::Program& program, const Sphere& sphere, int light) {
-  glUniform1i(program.uniform("light_index"), light);
-  glDrawElements(GL_LINES, sphere.edge_indices, GL_UNSIGNED_INT, nullptr);
+// The wires of one shape: of all lights, or of the picked one.
+void draw_wires(const Frame& frame, VolumeShape shape) {
+  const Settings& s = frame.settings;
+  const std::vector<Light>& lights = frame.targets.lights;
+  const size_t picked = std::min(static_cast<size_t>(s.view.pick), lights.size() - 1);
+  gl::Defines defines = frame.defines();
+  defines.push_back({"SHAPE", static_cast<int>(shape)});
+  const gl::Program& program = frame.programs.get("volume_wire.vert", "volume_wire.frag", defines);
+  const GpuVolume& mesh = frame.shapes.volume(shape, s.lights.volume.level);
+  glUseProgram(program.id());
+  set_mesh_uniforms(program, s, shape, 0);
+  glBindVertexArray(mesh.wire.id());
+  for (size_t i = 0; i < lights.size(); ++i) {
+    if (volume_shape(lights[i]) != shape || (s.view.volumes == VolumeOverlay::picked && i != picked)) continue;
+    glUniform1i(program.uniform("light_index"), static_cast<GLint>(i));
+    glDrawElements(GL_LINES, mesh.edge_indices, GL_UNSIGNED_INT, nullptr);
+  }
 }
 
 // Dark where light is summed, the sky's own colour where a surface is described.
@@ -24,21 +37,12 @@ glm::vec3 sky_of(View view) {
 }  // namespace
 
 void draw_volume_wires(const Frame& frame, Canvas& into) {
-  const VolumeOverlay overlay = frame.settings.view.volumes;
-  const int lights = static_cast<int>(frame.targets.lights.size());
-  if (overlay == VolumeOverlay::off || lights == 0) return;
-  const gl::Program& program = frame.programs.get("volume_wire.vert", "volume_wire.frag", frame.defines());
+  if (frame.settings.view.volumes == VolumeOverlay::off) return;
   begin_drawing(into.framebuffer, frame.settings.size, {.blend = gl::Blend::alpha});
   bind_gbuffer(frame);
   bind_lights(frame);
-  const Sphere& sphere = frame.shapes.sphere(frame.settings.lights.volume.level);
-  glUseProgram(program.id());
-  glUniform1f(program.uniform("volume_scale"), static_cast<float>(volume_scale(frame.settings)));
-  glBindVertexArray(sphere.wire.id());
-  const int picked = std::min(frame.settings.view.pick, lights - 1);
-  for (int i = 0; i < lights; ++i)
-    if ((overlay == VolumeOverlay::all || i == picked) && bounded(frame.targets.lights[i]))
-      draw_wire(program, sphere, i);
+  for (const VolumeShape shape : kMeshShapes)
+    if (any_light(frame, shape)) draw_wires(frame, shape);
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {

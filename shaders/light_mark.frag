@@ -1,0 +1,2 @@
+// Marks pixels in the stencil buffer alone.
+void main() {}
