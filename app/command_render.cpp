@@ -62,11 +62,16 @@ class Writer {
   std::vector<std::string> written_;
 };
 
+std::string method_in_words(const FrameReport& r) {
+  if (r.method_reason.empty()) return row(r.method).label;
+  return fmt::format("{} ({}: {})", row(r.method).label, row(LightMethod::auto_).label, r.method_reason);
+}
+
 std::string in_words(const Settings& s, const FrameReport& r) {
   const Preset* p = preset_of(s);
   std::string text =
       fmt::format("{} · {}x{} · {} lights, {} · cull {} · normal {} · {} + {} B/px", p ? p->label : s.scene, s.size.x,
-                  s.size.y, r.light_count, row(s.lights.method).label, row(s.lights.cull).id,
+                  s.size.y, r.light_count, method_in_words(r), row(s.lights.cull).id,
                   row(s.normal.encoding).label, r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
     text += fmt::format(" · shaded ÷ lit {:.2f}", double(r.pairs->shaded) / double(*r.pairs->lit));

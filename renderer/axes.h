@@ -40,7 +40,7 @@ enum class NormalSpace { world };
 enum class PositionSource { depth };
 enum class PositionReconstruct { view_ray, inverse_viewproj };
 enum class DepthFormat { d16, d24, d32f };
-enum class LightMethod { fullscreen, fullscreen_radius, volumes };
+enum class LightMethod { fullscreen, fullscreen_radius, volumes, quads, disc, tiled, clustered, auto_ };
 enum class LightCull { flip, back, none, front, flip_safe };
 enum class VolumeLevel { l0, l1, l2, l3, l4 };
 enum class VolumeFit { inscribed, circumscribed };

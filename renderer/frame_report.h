@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/axes.h"
+
 namespace gbl {
 
 struct PassTime {
@@ -29,6 +31,8 @@ struct FrameReport {
   int accumulation_bytes_per_pixel = 0;
   double mib = 0;       // of all targets of the frame
   int light_count = 0;  // lights drawn
+  LightMethod method{};       // as drawn; never auto
+  std::string method_reason;  // why lights.method=auto chose it; empty if it was asked for by name
   std::string note;     // reduced size, missing feature, …; empty = nothing to say
 };
 

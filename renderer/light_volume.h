@@ -4,9 +4,13 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "renderer/scene.h"
 #include "renderer/settings.h"
 
 namespace gbl {
+
+// Has the light an end, so that a volume can hold it?
+inline bool bounded(const Light& l) { return l.kind != LightKind::directional && l.range < kEndless; }
 
 struct VolumeMesh {
   std::vector<glm::vec3> vertices;  // on the unit sphere

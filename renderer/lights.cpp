@@ -77,7 +77,8 @@ std::vector<Light> lights_of(const Settings& s, const Scene& scene) {
   // An inverse square of unit intensity is dark a few units away: generated lights are made bright for their range.
   if (s.attenuation == Attenuation::windowed && s.lights.source == LightSource::generated)
     for (Light& l : lights) l.colour *= l.range * l.range / 16;
-  for (Light& l : lights) l.range *= s.lights.range_scale;
+  for (Light& l : lights)
+    if (l.range < kEndless) l.range *= s.lights.range_scale;
   if (s.lights.first >= 0) lights.resize(std::min<size_t>(lights.size(), s.lights.first));
   if (s.lights.only >= 0) {
     if (s.lights.only >= static_cast<int>(lights.size())) return {};

@@ -28,6 +28,13 @@ std::vector<Settings> different_settings() {
   all[2].lights.seed = 9;
   all[2].colour = Colour::as_tutorial;
   all[2].time_s = 5;
+  // Methods that keep more from one pass to the next than textures: lists, images, a choice.
+  for (const LightMethod method : {LightMethod::clustered, LightMethod::tiled, LightMethod::auto_}) {
+    Settings s = all[all.size() % 3];
+    s.lights.method = method;
+    s.lights.count = 40;
+    if (gl::device().features.has(row(method).needs)) all.push_back(s);
+  }
   return all;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "renderer/gl/device.h"
+#include "renderer/method_choice.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/passes.h"
 
@@ -31,13 +33,17 @@ gl::Defines Frame::defines() const {
 Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targets) {
   const double aspect = double(s.size.x) / s.size.y;
   Frame frame{s, scene, targets, programs_, shapes_, aspect, clip_from_relative(s.camera, aspect)};
+  if (s.lights.method == LightMethod::auto_) frame.settings.lights.method = targets.method;
   upload_frame_block(frame);
   return frame;
 }
 
 FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& targets) {
+  std::vector<Light> lights = lights_of(s, scene.scene());
+  const MethodChoice choice = choose_method(s, lights, gl::device().features);
   targets.prepare(s);
-  targets.lights = lights_of(s, scene.scene());
+  targets.lights = std::move(lights);
+  targets.method = choice.method;
   targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = false;
   targets.light_kinds = std::any_of(targets.lights.begin(), targets.lights.end(), [](const Light& l) {
     return l.kind != LightKind::point || l.coefficients != glm::dvec3(0);
@@ -54,6 +60,7 @@ FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& 
   }
   {
     const gl::PassScope scope(targets.timers, "lighting");
+    prepare_lighting(frame);
     report.draw_calls += draw_lighting(frame, output_of(s), targets.framebuffer(Pass::lighting));
   }
   {
@@ -65,6 +72,8 @@ FrameReport Renderer::render(const Settings& s, const GpuScene& scene, Targets& 
     report.draw_calls += draw_forward(frame);
   }
   report.size = s.size;
+  report.method = choice.method;
+  report.method_reason = choice.reason;
   report.time_source = gl::time_source();
   report.gbuffer_bytes_per_pixel = gbuffer_bytes_per_pixel(s);
   report.accumulation_bytes_per_pixel = accumulation_bytes_per_pixel(s);

@@ -1,12 +1,10 @@
 #pragma once
 // The passes, each a function of the frame. A pass states all its state and binds all it reads.
 #include "renderer/gl/pass_state.h"
+#include "renderer/light_volume.h"
 #include "renderer/passes/frame.h"
 
 namespace gbl {
-
-// Has the light an end, so that a volume can hold it?
-inline bool bounded(const Light& l) { return l.kind != LightKind::directional && l.range < kEndless; }
 
 // Bind where a pass draws, set the viewport, apply its state.
 void begin_drawing(const gl::Framebuffer&, glm::ivec2 size, const gl::PassState&);
@@ -23,6 +21,7 @@ void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const ch
 
 int draw_geometry(const Frame&);                                            // -> draw calls
 int draw_forward(const Frame&);                                             // -> draw calls
+void prepare_lighting(const Frame&);
 int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);  // -> draw calls
 int draw_combine(const Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);

@@ -36,4 +36,10 @@ void Shapes::draw_fullscreen() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void Shapes::draw_generated(int vertices, int instances) {
+  if (!empty_) empty_ = gl::make_empty_vertex_array();
+  glBindVertexArray(empty_.id());
+  glDrawArraysInstanced(GL_TRIANGLES, 0, vertices, instances);
+}
+
 }  // namespace gbl

@@ -18,6 +18,7 @@ class Shapes {
  public:
   const Sphere& sphere(VolumeLevel);  // made at first use
   void draw_fullscreen();             // with the bound program and framebuffer
+  void draw_generated(int vertices, int instances);  // triangles from gl_VertexID alone
 
  private:
   std::array<std::optional<Sphere>, 5> spheres_;
