@@ -64,6 +64,11 @@ class Writer {
   std::vector<std::string> written_;
 };
 
+std::string method_in_words(const FrameReport& r) {
+  if (r.method_reason.empty()) return row(r.drawn.lights.method).label;
+  return fmt::format("{} ({}: {})", row(r.drawn.lights.method).label, row(LightMethod::auto_).label, r.method_reason);
+}
+
 std::string cull_in_words(const Settings& s) {
   return in_use(option("lights.cull"), s) ? fmt::format(" · cull {}", row(s.lights.cull).id) : "";
 }
@@ -72,7 +77,7 @@ std::string in_words(const Settings& s, const FrameReport& r) {
   const Preset* p = preset_of(s);
   std::string text =
       fmt::format("{} · {}x{} · {} lights, {}{} · normal {} · {} + {} B/px", p ? p->label : s.scene, s.size.x, s.size.y,
-                  r.light_count, row(s.lights.method).label, cull_in_words(s), row(s.normal.encoding).label,
+                  r.light_count, method_in_words(r), cull_in_words(s), row(s.normal.encoding).label,
                   r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
     text += fmt::format(" · shaded ÷ lit {:.2f}", double(r.pairs->shaded) / double(*r.pairs->lit));

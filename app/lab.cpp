@@ -28,7 +28,9 @@ void Lab::draw(const Settings& s) {
     throw;
   }
   drawn_ = s;
-  work_[work_index(targets_.timers.frame())] = estimate_work(s, targets_.lights);
+  Settings chosen = s;
+  chosen.lights.method = report_.drawn.lights.method;
+  work_[work_index(targets_.timers.frame())] = estimate_work(chosen, targets_.lights);
 }
 
 void Lab::draw_view(View view, ViewOptions options) {

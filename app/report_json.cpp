@@ -18,6 +18,8 @@ Json report_json(const Lab& lab) {
   Json json;
   json["size"] = fmt::format("{}x{}", r.size.x, r.size.y);
   json["lights"] = r.light_count;
+  json["method"] = row(r.drawn.lights.method).id;
+  json["method_reason"] = r.method_reason.empty() ? Json(nullptr) : Json(r.method_reason);
   for (const PassTime& p : r.passes) json["time_ms_" + p.pass] = or_null(p.ms);
   json["time_source"] = r.time_source;
   json["pairs_tested"] = r.pairs ? Json(r.pairs->tested) : Json(nullptr);

@@ -70,7 +70,22 @@ enum class NormalSpace { world, view };
 enum class PositionSource { depth, linear32f, world16f, world32f, view16f, view32f, view_scaled };
 enum class PositionReconstruct { view_ray, inverse_viewproj, inverse_viewproj_varying };
 enum class DepthFormat { d16, d24, d32f, d32f_reversed };
-enum class LightMethod { forward, forward_prepass, forward_multipass, prepass, fullscreen, fullscreen_radius, volumes, volumes_instanced, volumes_stencil };
+enum class LightMethod {
+  forward,
+  forward_prepass,
+  forward_multipass,
+  prepass,
+  fullscreen,
+  fullscreen_radius,
+  volumes,
+  volumes_instanced,
+  volumes_stencil,
+  quads,
+  disc,
+  tiled,
+  clustered,
+  auto_
+};
 enum class LightCull { flip, back, none, front, flip_safe };
 enum class VolumeLevel { l0, l1, l2, l3, l4 };
 enum class VolumeFit { inscribed, circumscribed };

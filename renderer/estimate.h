@@ -1,12 +1,32 @@
 #pragma once
-// How long a frame will take, guessed before it is drawn: a full-screen loop over 16 384 lights can take minutes on
-// a software driver, and a window must not freeze for that.
+// What a frame's lighting will do and how long it will take, guessed before it is drawn: a full-screen loop over
+// 16 384 lights can take minutes on a software driver, and a window must not freeze for that.
+#include <vector>
+
 #include "renderer/lights.h"
 #include "renderer/settings.h"
 
 namespace gbl {
 
-// Work of the lighting pass in units of one shaded pair; a pair that is only tested counts kTestCost.
+// How many pairs of pixel and light there are of each sort: everything that the methods' work follows from.
+struct LightsInView {
+  double pixels = 0, lights = 0;
+  double reached = 0;  // in range; a guess, for nobody knows the surfaces' depths yet
+  double under_volumes = 0;
+  double under_quads = 0;
+  double in_tiles = 0;          // in the lists of the pixels' tiles …
+  double in_clusters = 0;       // … and of their clusters
+  double volume_triangles = 0;  // of one volume's mesh
+};
+LightsInView lights_in_view(const Settings&, const std::vector<Light>&);
+
+struct LightWork {
+  double tested = 0, shaded = 0;  // pairs, as a frame report counts them
+  double units = 0;               // all work of the lighting pass, in turns of the full-screen loop
+};
+LightWork work_of(LightMethod, const LightsInView&);  // not of auto
+
+// Units of work of a frame. Of auto: of its choice where nothing beyond the core path is available.
 double estimate_work(const Settings&, const std::vector<Light>&);
 
 // Nanoseconds per unit of work, learnt from the frames drawn so far.

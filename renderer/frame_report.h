@@ -33,6 +33,7 @@ struct FrameReport {
   int light_count = 0;               // lights drawn
   Settings drawn;                    // the settings with nothing left to choose (renderer/resolve.h)
   std::vector<std::string> choices;  // what was chosen for `auto` and why
+  std::string method_reason;         // why lights.method=auto chose `drawn`'s; empty if it was asked for by name
   std::string note;                  // reduced size, missing feature, …; empty = nothing to say
 };
 

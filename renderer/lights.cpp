@@ -112,7 +112,7 @@ std::vector<Light> lights_of(const Settings& s, const Scene& scene) {
   if (s.attenuation == Attenuation::windowed && s.lights.source == LightSource::generated)
     for (Light& l : lights) l.colour *= l.range * l.range / 16;
   for (Light& l : lights) {
-    l.range *= s.lights.range_scale;
+    if (l.range < kEndless) l.range *= s.lights.range_scale;
     set_range(l, s);
     if (l.kind == LightKind::spot && s.lights.spot == LightSpot::cos_power) open_cone(l);
   }

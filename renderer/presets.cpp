@@ -33,7 +33,7 @@ Settings compact() {
   Settings s = start();
   s.layout = Layout::compact;
   s.normal.encoding = NormalEncoding::oct14;
-  s.lights.method = LightMethod::fullscreen_radius;  // @auto
+  s.lights.method = LightMethod::auto_;
   s.lights.cull = LightCull::front;
   s.lights.volume.clip = VolumeClip::none;
   s.view.volumes = VolumeOverlay::off;

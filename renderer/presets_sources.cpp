@@ -175,7 +175,7 @@ Settings viewspace() {
   s.scene = "builtin:grove";
   s.camera = camera_at({0.2, 1.7, 6.4}, 4, 1, 50, 0.1, 400);
   s.lights.source = LightSource::scene;
-  s.lights.method = LightMethod::volumes;  // @disc
+  s.lights.method = LightMethod::disc;
   s.lights.cull = LightCull::front;
   s.attenuation = Attenuation::ramp;
   s.range = {RangeKind::threshold, 5.0 / 256};

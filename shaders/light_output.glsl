@@ -3,11 +3,16 @@
 #include "gbuffer_read.glsl"
 #include "shade.glsl"
 
-#if OUTPUT == OUTPUT_SPLIT
+#ifdef COMPUTE
+#include "light_images.glsl"
+#elif OUTPUT == OUTPUT_SPLIT
 layout(location = 0) out vec4 out_diffuse;
 layout(location = 1) out vec4 out_specular;
+void add_diffuse(vec3 light) { out_diffuse = vec4(light, 0.0); }
+void add_specular(vec3 light) { out_specular = vec4(light, 0.0); }
 #else
 layout(location = 0) out vec4 out_sum;
+void add_sum(vec3 sum) { out_sum = vec4(sum, 0.0); }
 #endif
 
 struct Sums {
@@ -30,11 +35,11 @@ void shade_pair(Surface s, Light light, inout Sums sums) {
 
 void write_sums(Surface s, Sums sums) {
 #if OUTPUT == OUTPUT_SPLIT
-  out_diffuse = vec4(sums.light.diffuse, 0.0);
-  out_specular = vec4(sums.light.specular, 0.0);
+  add_diffuse(sums.light.diffuse);
+  add_specular(sums.light.specular);
 #elif OUTPUT == OUTPUT_SUM
-  out_sum = vec4(s.albedo * sums.light.diffuse + sums.light.specular, 0.0);
+  add_sum(s.albedo * sums.light.diffuse + sums.light.specular);
 #else
-  out_sum = vec4(sums.counts, 0.0);
+  add_sum(sums.counts);
 #endif
 }

@@ -42,6 +42,14 @@ Light read_light(int i) {
   return light;
 }
 
+// Has it no end, so that no proxy can hold it?
+bool endless(Light light) {
+#if LIGHT_KINDS
+  if (light.kind == LIGHT_DIRECTIONAL) return true;
+#endif
+  return light.range >= 1e30;  // kEndless of renderer/scene.h
+}
+
 // Does the light reach this point at all? Regardless of the surface's side and the light's colour.
 bool reaches(Light light, vec3 position) {
 #if LIGHT_KINDS

@@ -35,7 +35,7 @@ vec3 position_by_inverse_viewproj(mat4 inverse_viewproj, vec2 ndc, float depth) 
   return world.xyz / world.w - camera_position.xyz;
 }
 
-#if VARYING_INVERSE
+#if VARYING_INVERSE && !defined(COMPUTE)
 in mat4 inverse_viewproj;  // source 0 takes the inverse in its vertex shader (pointlightvertex.glsl)
 #define INVERSE_VIEWPROJ inverse_viewproj
 #else

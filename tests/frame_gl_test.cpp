@@ -34,6 +34,13 @@ std::vector<Settings> different_settings() {
   all[4].lights.method = LightMethod::volumes_instanced;
   all[4].lights.cull = LightCull::front;
   all[4].lights.volume.depth = VolumeDepth::greater_equal;
+  // Methods that keep more from one pass to the next than textures: lists, images, a choice.
+  for (const LightMethod method : {LightMethod::clustered, LightMethod::tiled, LightMethod::auto_}) {
+    Settings s = all[all.size() % 3];
+    s.lights.method = method;
+    s.lights.count = 40;
+    if (gl::device().features.has(row(method).needs)) all.push_back(s);
+  }
   return all;
 }
 

@@ -35,13 +35,14 @@ TEST_F(LightKinds, EveryMethodEqualsThePlainLoop) {
   std::set<LightKind> kinds;
   for (const Light& l : lab.targets().lights) kinds.insert(l.kind);
   ASSERT_EQ(kinds.size(), 3u) << "the scene must hold all three kinds";
-  for (const ValueRow& r : rows<LightMethod>()) {
-    s.lights.method = static_cast<LightMethod>(r.value);
+  test::for_each_row<LightMethod>([&](LightMethod method, const ValueRow& r) {
+    s.lights.method = method;
+    if (!sound(s)) return;
     const std::vector<float> got = lit_of(lab, s);
     float worst = 0;
     for (size_t i = 0; i < got.size(); ++i) worst = std::max(worst, std::abs(got[i] - expected[i]));
     EXPECT_LE(worst, 2e-6f) << r.id << ": seven float terms in another order, radiances up to about 1";
-  }
+  });
 }
 
 TEST_F(LightKinds, ADirectionalLightLightsAndASpotEndsAtItsCone) {

@@ -99,6 +99,22 @@ Settings far_plane_through_volume(VolumeClip clip) {
   return s;
 }
 
+// One light of range 10 in the yard, at (20, 3, 20).
+Settings yard_light(LightMethod method, const glm::dvec3& camera, double yaw, double pitch) {
+  Settings s = settings_for(yard());
+  s.lights.count = 1, s.lights.range_scale = 0.25;
+  s.lights.method = method;
+  s.camera.position = camera;
+  s.camera.orientation = orientation_from_yaw_pitch(yaw, pitch);
+  return s;
+}
+
+// The camera looks at the light from 1.3 times its range: the outline is 1 / sqrt(1 - (r/d)^2) as wide as the disc.
+Settings before_the_light(LightMethod method) { return yard_light(method, {20, 5, 33}, 0, -9); }
+
+// The light is to the right of the camera and a little behind it, but reaches into the picture.
+Settings beside_the_light(LightMethod method) { return yard_light(method, {11, 3, 17.5}, 0, -25); }
+
 TEST_F(MethodPitfalls, BackfaceCullInsideLosesTheWholeLight) {
   for (const VolumeClip clip : {VolumeClip::none, VolumeClip::planes}) {
     Settings s = start_with(LightCull::back);
@@ -189,9 +205,33 @@ TEST_F(MethodPitfalls, FarPlaneClipsBackFaces) {
   EXPECT_TRUE(whole.right()) << whole;
 }
 
+// The near part of the sphere bulges out of the disc through its middle: its rim stays dark, where the light is near.
+TEST_F(MethodPitfalls, FlatCircleUndercoversTheNearRim) {
+  const Score near = score(before_the_light(LightMethod::disc), yard());
+  EXPECT_GT(near.lost, near.lit / 20) << near;
+  EXPECT_LT(near.lost, near.lit) << near;
+  EXPECT_EQ(near.doubled + near.other, 0) << near;
+  Settings s = before_the_light(LightMethod::disc);
+  s.camera.position += 60.0 * glm::dvec3(0, 0.155, 1);
+  s.camera.fov = 15;
+  const Score far = score(s, yard());
+  EXPECT_LT(far.lost * near.lit, near.lost * far.lit / 4) << "from afar it is nearly enough: " << far;
+  for (const LightMethod mended : {LightMethod::volumes, LightMethod::quads})
+    EXPECT_TRUE(score(before_the_light(mended), yard()).right()) << score(before_the_light(mended), yard());
+}
+
+// `circle-behind-camera`: x / w of what is behind the camera lands on the other side of the picture.
+TEST_F(MethodPitfalls, AFlatCircleBehindTheCameraIsMirrored) {
+  const Score mirrored = score(beside_the_light(LightMethod::disc), yard());
+  EXPECT_GT(mirrored.lost, mirrored.lit / 4) << mirrored;
+  for (const LightMethod mended : {LightMethod::volumes, LightMethod::quads})
+    EXPECT_TRUE(score(beside_the_light(mended), yard()).right()) << score(beside_the_light(mended), yard());
+}
+
 // One proof per unsound row of the axes that choose pairs: a new unsound row fails here until it has one.
 TEST_F(MethodPitfalls, EveryUnsoundRowHasAProof) {
   const std::map<std::string, std::function<Score()>> proofs = {
+      {"lights.method=disc", [] { return score(before_the_light(LightMethod::disc), yard()); }},
       {"lights.cull=back", [] { return score(start_with(LightCull::back), terrain()); }},
       {"lights.cull=none", [] { return score(from_outside(LightCull::none), terrain()); }},
       {"lights.cull=flip", [] { return score(lesson_step(4), terrain()); }},

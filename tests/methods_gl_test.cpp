@@ -194,6 +194,98 @@ TEST_F(Methods, AConeShadesLessThanItsSphere) {
   EXPECT_LT(cone.shaded, sphere.shaded / 2);
 }
 
+// Other shapes of picture and other projections than the sweeps': tiles cut by the border, one pixel, a wide lens.
+TEST_F(Methods, EverySoundOneGivesTheFullScreenPictureAtOddSizes) {
+  Stage stage(yard());
+  for (const glm::ivec2 size : {glm::ivec2(1, 1), {17, 33}, {131, 7}, {48, 48}})
+    for (const double orthographic_height : {0.0, 30.0}) {
+      Settings s = settings_for(yard(), size);
+      s.camera.orthographic_height = orthographic_height;
+      s.camera.fov = 100;
+      s.lights.count = 300;
+      expect_all_methods_agree(stage, s, fmt::format("{}x{} {}", size.x, size.y, orthographic_height));
+    }
+}
+
+// Stores and blends round alike where a method blends once per pixel.
+TEST_F(Methods, TiledStoresWhatTheFullScreenLoopStoresInEveryFormat) {
+  if (!gl::device().features.has(Feature::compute)) GTEST_SKIP() << "tiled needs compute shaders";
+  Stage stage(yard());
+  for_each_row<AccumulationFormat>([&](AccumulationFormat format, auto& f) {
+    for_each_row<AccumulationTargets>([&](AccumulationTargets targets, auto& t) {
+      Settings s = settings_for(yard(), {64, 36});
+      s.accumulation = {format, targets};
+      s.lights.method = LightMethod::fullscreen_radius;
+      const Picture expected = stage.lit(s);
+      s.lights.method = LightMethod::tiled;
+      // A step of 8 bits, or of a mantissa of 5 bits below 4.
+      const double step = format == AccumulationFormat::rgba8        ? 1.0 / 255
+                          : format == AccumulationFormat::r11g11b10f ? 4.0 / 32
+                                                                     : 1e-3;
+      EXPECT_TRUE(like(stage.lit(s), expected, {.max_abs = 1.01 * step, .why = "one step of the format"}))
+          << f.id << " " << t.id;
+      EXPECT_TRUE(like(stage.lit(s), expected, {.max_abs = 1e-6, .failing_fraction = 0.05, .why = "rounding"}))
+          << f.id << " " << t.id;
+    });
+  });
+}
+
+TEST_F(Methods, DrawCallsOfOneDrawAreAsManyForAnyNumberOfLights) {
+  Stage stage(yard());
+  for (const LightMethod method : {LightMethod::fullscreen, LightMethod::fullscreen_radius, LightMethod::quads,
+                                   LightMethod::disc, LightMethod::tiled, LightMethod::clustered}) {
+    if (!gl::device().features.has(row(method).needs)) continue;
+    Settings s = settings_for(yard(), {16, 9});
+    s.lights.method = method;
+    s.lights.count = 1;
+    const int one = stage.draw(s).draw_calls;
+    s.lights.count = kMaxLights;
+    EXPECT_EQ(stage.draw(s).draw_calls, one) << row(method).id;
+    s.lights.count = 0;
+    EXPECT_EQ(stage.draw(s).draw_calls, one - 1) << row(method).id;
+  }
+}
+
+// The frame says what was chosen; light, counts and views are those of that method.
+TEST_F(Methods, AutoDrawsTheMethodThatItNames) {
+  Stage stage(yard());
+  std::set<LightMethod> chosen;
+  for (const double range_scale : {0.02, 1.0, 1000.0})
+    for (const int count : {0, 3, 300}) {
+      Settings s = settings_for(yard(), {64, 36});
+      s.lights.count = count, s.lights.range_scale = range_scale;
+      s.lights.method = LightMethod::auto_;
+      const FrameReport report = stage.draw(s);
+      const Picture lit = stage.lit(s);
+      const PairCounts pairs = stage.pairs(s);
+      const Image view = stage.view(View::lights_per_pixel, s);
+      EXPECT_NE(report.drawn.lights.method, LightMethod::auto_);
+      EXPECT_NE(report.method_reason, "");
+      chosen.insert(report.drawn.lights.method);
+      s.lights.method = report.drawn.lights.method;
+      EXPECT_TRUE(same_bits(stage.lit(s), lit)) << row(report.drawn.lights.method).id;
+      EXPECT_EQ(stage.pairs(s).tested, pairs.tested) << row(report.drawn.lights.method).id;
+      EXPECT_TRUE(stage.view(View::lights_per_pixel, s) == view) << row(report.drawn.lights.method).id;
+      EXPECT_EQ(stage.draw(s).method_reason, "") << "asked for by name";
+    }
+  EXPECT_GE(chosen.size(), 3u);
+}
+
+// Lists that shrink and grow with the camera's motion are put into the texture that is there.
+TEST_F(Methods, ClusterListsKeepTheirTexture) {
+  Stage stage(yard());
+  Settings s = settings_for(yard(), {64, 36});
+  s.lights.method = LightMethod::clustered;
+  s.lights.count = 300;
+  stage.draw(s);
+  const GLuint texture = stage.targets.light_lists.id();
+  for (int k = 0; k < 20; ++k) {
+    s.camera.position.x += 0.2;
+    stage.draw(s);
+    EXPECT_EQ(stage.targets.light_lists.id(), texture) << k;
+  }
+}
+
 // What a pair contributes depends on no method, so neither does it on the light's number or neighbours.
 TEST_F(Methods, LightsAddUp) {
   Stage stage(yard());

@@ -31,13 +31,15 @@ class Desk {
     report.time_source = "software-rasteriser";
     report.pairs = PairCounts{12345678, 11234567, 10034567};
     report.draw_calls = 16401;
+    report.method = LightMethod::fullscreen_radius;  // the longest texts that auto can give
+    report.method_reason = "the lights reach so many pixels that leaving any out costs more";
     frame();
   }
   ~Desk() { ImGui::DestroyContext(); }
 
   const Requests& frame(const std::vector<KeyEvent>& keys = {}) {
     const std::vector<Light> lights = lights_of(settings, scene);
-    Input input{.scene = scene, .lights = lights, .features = {}, .report = report};
+    Input input{.scene = scene, .lights = lights, .features = features, .report = report};
     input.seconds = seconds;
     input.held = held;
     input.probe = PixelProbe{
@@ -75,6 +77,7 @@ class Desk {
   Ui ui;
   Scene scene;
   FrameReport report;
+  FeatureSet features;  // nothing beyond the core path
   Requests requests;
   double seconds = 0;
   std::vector<std::string> held;

@@ -1,6 +1,7 @@
 // What stands on the screen: texts that fit, glyphs that exist, the mouse, motion, captions, sheets.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <set>
 
 #include "renderer/lessons.h"
 #include "tests/ui_desk.h"
@@ -141,6 +142,21 @@ TEST(Window, ATextThatCannotFitIsNoted) {
   p.fit("does not", {5, 20}, 15, false);
   EXPECT_EQ(cut, std::vector<std::string>{"does not"});
   ImGui::EndFrame();
+}
+
+TEST(Window, AMethodWhoseFeatureIsMissingIsPassedOver) {
+  Desk desk;
+  for (const bool compute : {false, true}) {
+    if (compute) desk.features.add(Feature::compute);
+    std::set<LightMethod> seen;
+    for (size_t k = 0; k < 2 * rows<LightMethod>().size(); ++k) {
+      desk.press("m");
+      seen.insert(desk.settings.lights.method);
+    }
+    EXPECT_EQ(seen.count(LightMethod::tiled), compute);
+    EXPECT_EQ(seen.count(LightMethod::clustered), 1u);
+    EXPECT_EQ(seen.count(LightMethod::auto_), 1u);
+  }
 }
 
 TEST(Window, SpaceLetsTimeRun) {

@@ -123,10 +123,12 @@ std::vector<Problem> missing_features(const Settings& s, const DeviceLimits& lim
 }
 
 TEST(Validate, AMissingFeatureNamesRowAndFeature) {
+  std::set<std::string> rows_that_need;
   for (const Option& o : options())
     for (const ValueRow& r : o.values) {
       if (r.needs == Feature::none) continue;
       SCOPED_TRACE(std::string(o.path) + "=" + r.id);
+      rows_that_need.insert(std::string(o.path) + "=" + r.id);
       Settings s = preset("start").make();
       o.set(s, r.id, o);
       DeviceLimits all = every_feature();
@@ -138,6 +140,7 @@ TEST(Validate, AMissingFeatureNamesRowAndFeature) {
       EXPECT_TRUE(contains(problems[0].sentence, r.id)) << problems[0].sentence;
       EXPECT_TRUE(contains(problems[0].sentence, kFeatures[static_cast<int>(r.needs) - 1].id)) << problems[0].sentence;
     }
+  EXPECT_EQ(rows_that_need.count("lights.method=tiled"), 1u);
 }
 
 // What a depth test needs is asked of those methods that make it, and each need is met by one row.

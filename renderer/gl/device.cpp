@@ -33,7 +33,7 @@ FeatureSet present_features(int time_query_bits) {
   if (time_query_bits > 0) set.add(Feature::timer_query);
   if (epoxy_gl_version() >= 32 || epoxy_has_gl_extension("GL_ARB_depth_clamp")) set.add(Feature::depth_clamp);
   if (gl45 || epoxy_has_gl_extension("GL_ARB_clip_control")) set.add(Feature::clip_control);
-  if (gl43 || epoxy_has_gl_extension("GL_ARB_compute_shader")) set.add(Feature::compute);
+  if (gl43) set.add(Feature::compute);  // our compute shaders are GLSL 4.30
   return set;
 }
 

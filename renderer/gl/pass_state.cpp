@@ -78,7 +78,7 @@ void apply(const PassState& s) {
   glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
   glDisable(GL_PRIMITIVE_RESTART);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  for (unsigned unit = 0; unit < 16; ++unit) glBindSampler(unit, 0);
+  for (unsigned unit = 0; unit < 24; ++unit) glBindSampler(unit, 0);
 }
 
 }  // namespace gbl::gl

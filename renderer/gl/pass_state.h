@@ -26,7 +26,6 @@ struct PassState {
   bool depth_clamp = false;  // needs Feature::depth_clamp
   bool zero_to_one = false;  // clip space's depth, for reversed depth: needs Feature::clip_control
   Stencil stencil = Stencil::off;
-  bool colour_write = true;
 };
 
 void apply(const PassState&);   // everything, at the start of a pass

@@ -13,6 +13,7 @@ namespace gbl::gl {
 namespace {
 
 constexpr const char* kPrelude = "#version 330 core\n#define real float\n";
+constexpr const char* kComputePrelude = "#version 430 core\n#define real float\n";
 
 void append_file(ShaderText& out, const std::string& name) {
   const int file = static_cast<int>(out.files.size());
@@ -34,7 +35,7 @@ void append_file(ShaderText& out, const std::string& name) {
 
 GLuint compile_stage(GLenum stage, const ShaderText& text) {
   const GLuint shader = glCreateShader(stage);
-  const char* parts[] = {kPrelude, text.body.c_str()};
+  const char* parts[] = {stage == GL_COMPUTE_SHADER ? kComputePrelude : kPrelude, text.body.c_str()};
   glShaderSource(shader, 2, parts, nullptr);
   glCompileShader(shader);
   GLint ok = 0;
@@ -74,10 +75,10 @@ GLint Program::uniform(const char* name) const {
   return locations_.emplace(name, glGetUniformLocation(name_.id(), name)).first->second;
 }
 
-Program compile_program(const ShaderText& vertex, const ShaderText& fragment) {
+// The stages are let go of, whatever happens.
+Program link(std::string_view name, std::span<const GLuint> stages) {
   Program p;
   p.name_ = Object<Kind::program>::make();
-  const GLuint stages[] = {compile_stage(GL_VERTEX_SHADER, vertex), compile_stage(GL_FRAGMENT_SHADER, fragment)};
   for (const GLuint s : stages) glAttachShader(p.id(), s);
   glLinkProgram(p.id());
   for (const GLuint s : stages) glDetachShader(p.id(), s), glDeleteShader(s);
@@ -86,10 +87,20 @@ Program compile_program(const ShaderText& vertex, const ShaderText& fragment) {
   if (!ok) {
     char log[4096] = {};
     glGetProgramInfoLog(p.id(), sizeof log, nullptr, log);
-    throw Error(ExitCode::bad_input, fmt::format("shaders/{} + {}", vertex.name, fragment.name), log);
+    throw Error(ExitCode::bad_input, fmt::format("shaders/{}", name), log);
   }
-  set_label(GL_PROGRAM, p.id(), fragment.name);
+  set_label(GL_PROGRAM, p.id(), name);
   return p;
+}
+
+Program compile_program(const ShaderText& vertex, const ShaderText& fragment) {
+  const GLuint stages[] = {compile_stage(GL_VERTEX_SHADER, vertex), compile_stage(GL_FRAGMENT_SHADER, fragment)};
+  return link(fmt::format("{} + {}", vertex.name, fragment.name), stages);
+}
+
+Program compile_compute_program(const ShaderText& text) {
+  const GLuint stages[] = {compile_stage(GL_COMPUTE_SHADER, text)};
+  return link(text.name, stages);
 }
 
 }  // namespace gbl::gl

@@ -2,6 +2,7 @@
 // Programs from shader files with #include and compile-time variants; errors point into our files.
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,11 +38,13 @@ class Program {
   GLint uniform(const char* name) const;  // -1 if the variant does not use it (GL then ignores the value)
 
  private:
-  friend Program compile_program(const ShaderText&, const ShaderText&);
+  friend Program link(std::string_view name, std::span<const GLuint> stages);
   Object<Kind::program> name_;
   mutable std::map<std::string, GLint, std::less<>> locations_;
 };
 
-Program compile_program(const ShaderText& vertex, const ShaderText& fragment);  // Error(bad_input) with file and line
+// Error(bad_input) with file and line.
+Program compile_program(const ShaderText& vertex, const ShaderText& fragment);
+Program compile_compute_program(const ShaderText&);  // needs Feature::compute
 
 }  // namespace gbl::gl

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "renderer/gl/device.h"
+#include "renderer/method_choice.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/passes.h"
 #include "renderer/resolve.h"
@@ -55,6 +57,7 @@ gl::Defines Frame::shaded_defines() const {
 Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targets) {
   const double aspect = double(s.size.x) / s.size.y;
   targets.drawn = resolve(s, scene.scene()).settings;
+  if (s.lights.method == LightMethod::auto_) targets.drawn.lights.method = targets.method;
   Frame frame{targets.drawn,
               scene,
               targets,
@@ -69,9 +72,13 @@ Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targ
 
 FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targets& targets) {
   Resolved resolved = resolve(asked, scene.scene());
+  std::vector<Light> lights = lights_of(asked, scene.scene());
+  const MethodChoice choice = choose_method(resolved.settings, lights, gl::device().features);
+  resolved.settings.lights.method = choice.method;
   const Settings& s = resolved.settings;
   targets.prepare(s);
-  targets.lights = lights_of(s, scene.scene());
+  targets.lights = std::move(lights);
+  targets.method = choice.method;
   targets.counts_valid = targets.counts_lit_valid = targets.composed_valid = targets.ids_valid = false;
   targets.light_kinds = std::any_of(targets.lights.begin(), targets.lights.end(), [](const Light& l) {
     return l.kind != LightKind::point || l.coefficients != glm::dvec3(0);
@@ -92,7 +99,10 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
     pass("forward", [&] { return draw_background(frame, lit) + draw_forward(frame, LightOutput::sum, lit); });
   } else {
     pass("geometry", [&] { return draw_geometry(frame); });
-    pass("lighting", [&] { return draw_lighting(frame, output_of(s), targets.framebuffer(Pass::lighting)); });
+    pass("lighting", [&] {
+      prepare_lighting(frame);
+      return draw_lighting(frame, output_of(s), targets.framebuffer(Pass::lighting));
+    });
     if (shading == Shading::deferred)
       pass("combine", [&] { return draw_combine(frame); });
     else
@@ -104,6 +114,7 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   report.size = s.size;
   report.drawn = s;
   report.choices = std::move(resolved.notes);
+  report.method_reason = choice.reason;
   report.time_source = gl::time_source();
   report.gbuffer_bytes_per_pixel = gbuffer_bytes_per_pixel(s);
   report.accumulation_bytes_per_pixel = accumulation_bytes_per_pixel(s);

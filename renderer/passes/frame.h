@@ -13,7 +13,7 @@ namespace gbl {
 
 // The facts of one frame, computed once and read by every pass.
 struct Frame {
-  const Settings& settings;
+  Settings settings;  // lights.method=auto is resolved
   const GpuScene& scene;
   Targets& targets;
   ProgramCache& programs;

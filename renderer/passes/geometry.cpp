@@ -25,13 +25,10 @@ void clear_gbuffer(const Frame& frame) {
 int draw_geometry(const Frame& frame) {
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
   Targets& t = frame.targets;
-  begin_drawing(t.geometry_framebuffer(), frame.settings.size,
-                depth_tested(frame, gl::DepthTest::less,
-                             {.depth_write = true,
-                              .stencil = frame.settings.background.skip == BackgroundSkip::stencil
-                                             ? gl::Stencil::mark_surface
-                                             : gl::Stencil::off,
-                              .blend = frame.mistaken("blend-on-in-fill") ? gl::Blend::alpha : gl::Blend::off}));
+  gl::PassState state{.depth_write = true};
+  if (frame.mistaken("blend-on-in-fill")) state.blend = gl::Blend::alpha;
+  if (frame.settings.background.skip == BackgroundSkip::stencil) state.stencil = gl::Stencil::mark_surface;
+  begin_drawing(t.geometry_framebuffer(), frame.settings.size, depth_tested(frame, gl::DepthTest::less, state));
   clear_gbuffer(frame);
   const int calls = draw_objects(frame, draws, "geometry.frag", frame.surface_defines());
   t.resolve_samples();

@@ -37,7 +37,11 @@ int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer&
   if (frame.targets.lights.empty()) return 0;
   bind_gbuffer(frame);
   bind_lights(frame);
-  return kMethods[static_cast<int>(frame.settings.lights.method)].draw({frame, output});
+  return method_of(frame).draw({frame, output});
+}
+
+void prepare_lighting(const Frame& frame) {
+  if (method_of(frame).prepare && !frame.targets.lights.empty()) method_of(frame).prepare(frame);
 }
 
 }  // namespace gbl

@@ -16,10 +16,16 @@ int draw_fullscreen_radius_lights(const LightingPass&);
 int draw_volume_lights(const LightingPass&);
 int draw_volume_lights_instanced(const LightingPass&);
 int draw_volume_lights_stencil(const LightingPass&);
+int draw_quad_lights(const LightingPass&);
+int draw_disc_lights(const LightingPass&);
+int draw_tiled_lights(const LightingPass&);
+void prepare_clusters(const Frame&);
+int draw_clustered_lights(const LightingPass&);
 
 struct MethodRow {
   LightMethod method;
-  int (*draw)(const LightingPass&);  // framebuffer bound and cleared, blending on; -> draw calls
+  int (*draw)(const LightingPass&);            // framebuffer bound and cleared, blending on; -> draw calls
+  void (*prepare)(const Frame&) = nullptr;     // once per frame, before its light is drawn and its pairs are counted
 };
 inline constexpr MethodRow kMethods[] = {
     {LightMethod::forward, nullptr},  // no light pass: see forward.cpp
@@ -31,6 +37,18 @@ inline constexpr MethodRow kMethods[] = {
     {LightMethod::volumes, draw_volume_lights},
     {LightMethod::volumes_instanced, draw_volume_lights_instanced},
     {LightMethod::volumes_stencil, draw_volume_lights_stencil},
+    {LightMethod::quads, draw_quad_lights},
+    {LightMethod::disc, draw_disc_lights},
+    {LightMethod::tiled, draw_tiled_lights},
+    {LightMethod::clustered, draw_clustered_lights, prepare_clusters},
+    {LightMethod::auto_, nullptr},  // render() has replaced it by another
 };
+constexpr bool methods_in_order() {
+  for (size_t i = 0; i < std::size(kMethods); ++i)
+    if (kMethods[i].method != static_cast<LightMethod>(i)) return false;
+  return true;
+}
+static_assert(methods_in_order());
+inline const MethodRow& method_of(const Frame& f) { return kMethods[static_cast<size_t>(f.settings.lights.method)]; }
 
 }  // namespace gbl

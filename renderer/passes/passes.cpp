@@ -1,6 +1,7 @@
 #include "renderer/passes/passes.h"
 
 #include "renderer/gl/pass_state.h"
+#include "renderer/light_bounds.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/views.h"
 
@@ -20,6 +21,14 @@ namespace {
 
 void bind_if_stored(const Frame& frame, Stores what, Unit unit) {
   if (const gl::Texture* t = frame.targets.texture(what)) gl::bind_texture(unit, *t);
+}
+
+// A light's bounds on screen and half a pixel more, so that every pixel that they touch is drawn.
+glm::vec4 drawn_bounds(const Frame& frame, const Light& light) {
+  const ScreenBounds b = screen_bounds(frame.settings.camera, frame.aspect, light);
+  if (b.empty()) return glm::vec4(2);  // no area, and beside the screen
+  const glm::dvec2 half_pixel = 1.0 / glm::dvec2(frame.settings.size);
+  return {b.from - half_pixel, b.to + half_pixel};
 }
 
 }  // namespace
@@ -107,6 +116,7 @@ static_assert(static_cast<int>(VolumeShape::sphere) == VOLUME_SPHERE &&
 
 void upload_lights(const Frame& frame) {
   Targets& t = frame.targets;
+  const bool reads_bounds = frame.settings.lights.method == LightMethod::quads;
   t.record_texels.clear();
   for (const Light& l : t.lights) {
     t.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
@@ -114,7 +124,7 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.direction, l.inner_cos);
     t.record_texels.emplace_back(l.outer_cos, l.coefficients);
     t.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);
-    t.record_texels.emplace_back(-1, -1, 1, 1);
+    t.record_texels.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
   upload_records(t.light_data, t.record_texels, kLightUnit, "lights");
 }

@@ -27,6 +27,7 @@ void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const ch
 
 // -> draw calls
 int draw_geometry(const Frame&);
+void prepare_lighting(const Frame&);  // what the lighting reads beside the G-buffer and the lights
 int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);
 int draw_combine(const Frame&);
 int draw_background(const Frame&, const gl::Framebuffer& into);

@@ -20,6 +20,7 @@ constexpr SamplerUnit kSamplers[] = {
     {"gbuffer_normal", kNormalUnit},
     {"gbuffer_depth", kDepthUnit},
     {"light_data", kLightUnit},
+    {"light_lists", kLightListUnit},
     {"light_diffuse", kDiffuseUnit},
     {"light_specular", kSpecularUnit},
     {"light_sum", kDiffuseUnit},
@@ -128,7 +129,9 @@ void append_surface_defines(gl::Defines& out, const Settings& s, bool emission_k
 gl::Program ProgramCache::compile(const Variant& v) {
   gl::Defines defines = v.defines;
   append_common(defines);
-  gl::Program program = gl::compile_program(gl::load_shader(v.vertex, defines), gl::load_shader(v.fragment, defines));
+  const gl::ShaderText fragment = gl::load_shader(v.fragment, defines);
+  gl::Program program = v.vertex.empty() ? gl::compile_compute_program(fragment)
+                                         : gl::compile_program(gl::load_shader(v.vertex, defines), fragment);
   glUseProgram(program.id());
   for (const SamplerUnit& s : kSamplers) glUniform1i(program.uniform(s.name), s.unit);
   const GLuint block = glGetUniformBlockIndex(program.id(), "FrameBlock");
@@ -137,7 +140,14 @@ gl::Program ProgramCache::compile(const Variant& v) {
 }
 
 const gl::Program& ProgramCache::get(std::string_view vertex, std::string_view fragment, const gl::Defines& defines) {
-  Variant v{std::string(vertex), std::string(fragment), defines};
+  return get({std::string(vertex), std::string(fragment), defines});
+}
+
+const gl::Program& ProgramCache::get_compute(std::string_view file, const gl::Defines& defines) {
+  return get({"", std::string(file), defines});
+}
+
+const gl::Program& ProgramCache::get(Variant v) {
   const auto found = programs_.find(v);
   if (found != programs_.end()) return found->second;
   gl::Program program = compile(v);

@@ -34,7 +34,8 @@ enum Unit {
   kNormalMapUnit,
   kRoughnessUnit,
   kEmissiveUnit,
-  kOcclusionUnit
+  kOcclusionUnit,
+  kLightListUnit
 };
 
 // Defines that name the choices a shader depends on; each shader asks only for those it reads.
@@ -47,17 +48,20 @@ class ProgramCache {
   // The program of these files and defines; compiled at first use. Error with file and line if it does not compile.
   const gl::Program& get(std::string_view vertex, std::string_view fragment, const gl::Defines&);
 
+  const gl::Program& get_compute(std::string_view file, const gl::Defines&);
+
   // Compile everything anew from the shader files. On an error all old programs stay and the Error is thrown.
   void reload();
   size_t size() const { return programs_.size(); }
 
  private:
   struct Variant {
-    std::string vertex, fragment;
+    std::string vertex, fragment;  // without a vertex shader: a compute shader
     gl::Defines defines;
     auto operator<=>(const Variant&) const = default;
   };
   static gl::Program compile(const Variant&);
+  const gl::Program& get(Variant);
   std::map<Variant, gl::Program> programs_;
 };
 

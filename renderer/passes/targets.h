@@ -10,6 +10,7 @@
 #include "renderer/gl/readback.h"
 #include "renderer/gl/texture.h"
 #include "renderer/gl/timer.h"
+#include "renderer/light_clusters.h"
 #include "renderer/lights.h"
 #include "renderer/views.h"
 
@@ -52,12 +53,15 @@ class Targets {
   gl::PassTimers timers;
   gl::AsyncRead count_read, probe_read;
   gl::Texture light_data;
+  gl::Texture light_lists;  // of the clustered method
   gl::Texture instance_data;
   std::vector<glm::vec4> record_texels;  // scratch, kept so that a steady frame allocates nothing
   bool light_kinds = false;              // is any light other than a point light?
   bool composed_valid = false;           // were transparent surfaces drawn over `lit` into composed()?
   std::vector<Light> lights;             // of the frame drawn last
   Settings drawn;                        // of the frame drawn last, with nothing left to choose
+  LightMethod method{};                  // of the frame drawn last; never auto
+  LightClusters clusters;                // of the frame drawn last, if its method was clustered
   gl::Buffer frame_block;
   bool counts_valid = false;  // of the frame drawn last
   bool ids_valid = false;
