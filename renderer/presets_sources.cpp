@@ -196,7 +196,7 @@ Settings viewspace_fixed() {
   Settings s = viewspace();
   mend_common(s);
   s.background.skip = BackgroundSkip::alpha;  // no mistake where the targets are cleared
-  s.lights.method = LightMethod::volumes;     // @quads
+  s.lights.method = LightMethod::quads;
   s.position.source = PositionSource::view32f;
   s.tangents = Tangents::vertex;
   return s;

@@ -306,6 +306,8 @@ void unpack_material(Stored t, inout Surface s) {
 #endif
 #if defined(STORED_AMBIENT)
   s.ambient = linear_from_coded(t.ambient.rgb);
+#elif LAYOUT == LAYOUT_LEARNOPENGL && SHADING_MODEL != MODEL_GGX && !THIN
+  s.ambient = s.albedo;  // a strength says nothing of metal
 #else
   s.ambient = ambient_of(s);
 #endif

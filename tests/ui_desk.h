@@ -31,7 +31,7 @@ class Desk {
     report.time_source = "software-rasteriser";
     report.pairs = PairCounts{12345678, 11234567, 10034567};
     report.draw_calls = 16401;
-    report.method = LightMethod::fullscreen_radius;  // the longest texts that auto can give
+    report.drawn.lights.method = LightMethod::fullscreen_radius;  // the longest texts that auto can give
     report.method_reason = "the lights reach so many pixels that leaving any out costs more";
     frame();
   }

@@ -7,6 +7,10 @@ constexpr float kNothing[4] = {};
 
 gl::Defines LightingPass::defines() const {
   gl::Defines d = frame.defines();
+  // Counts are of pixels with geometry, whatever else is shaded.
+  if (output == LightOutput::count)
+    for (gl::Define& define : d)
+      if (define.name == "BACKGROUND_SKIP") define = {"BACKGROUND_SKIP", static_cast<int>(BackgroundSkip::depth)};
   d.push_back({"OUTPUT", static_cast<int>(output)});
   return d;
 }
