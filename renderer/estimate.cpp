@@ -42,8 +42,8 @@ struct Shares {
 // A circle fills pi/4 of its bounds, unless these are cut off by the picture's border.
 Shares shares_of(const Settings& s, const Light& light, double scale) {
   if (!bounded(light)) return {1, 1};
-  const ScreenBounds all =
-      screen_bounds(s.camera, double(s.size.x) / s.size.y, Ball{light.position, light.range * scale});
+  const Ball ball = reach_of(light);
+  const ScreenBounds all = screen_bounds(s.camera, double(s.size.x) / s.size.y, Ball{ball.centre, ball.radius * scale});
   const double visible = clipped(all).area() / 4;
   return {std::min(visible, 3.14159265 / 4 * all.area() / 4), visible};
 }
@@ -145,11 +145,11 @@ LightWork clustered(const LightsInView& v) {
           kPixel * v.pixels + kListedLight * v.lights + kListEntry * entries + kListed * v.in_clusters};
 }
 
-struct MethodRow {
+struct WorkRow {
   LightMethod method;
   LightWork (*work)(const LightsInView&);
 };
-constexpr MethodRow kMethods[] = {
+constexpr WorkRow kWork[] = {
     {LightMethod::forward, fullscreen},  // hidden surfaces apart: nobody knows them yet
     {LightMethod::forward_prepass, fullscreen},
     {LightMethod::forward_multipass, fullscreen},
@@ -165,8 +165,8 @@ constexpr MethodRow kMethods[] = {
     {LightMethod::clustered, clustered},
 };
 constexpr bool in_order() {
-  for (size_t i = 0; i < std::size(kMethods); ++i)
-    if (kMethods[i].method != static_cast<LightMethod>(i)) return false;
+  for (size_t i = 0; i < std::size(kWork); ++i)
+    if (kWork[i].method != static_cast<LightMethod>(i)) return false;
   return true;
 }
 static_assert(in_order());
@@ -174,7 +174,7 @@ static_assert(in_order());
 }  // namespace
 
 LightWork work_of(LightMethod method, const LightsInView& v) {
-  return v.lights > 0 ? kMethods[static_cast<size_t>(method)].work(v) : LightWork{};
+  return v.lights > 0 ? kWork[static_cast<size_t>(method)].work(v) : LightWork{};
 }
 
 double estimate_work(const Settings& s, const std::vector<Light>& lights) {

@@ -18,6 +18,12 @@ TEST(Captions, SayWhatChangedWhatItCostsAndWhetherItIsSound) {
   after.normal.encoding = NormalEncoding::oct8;
   EXPECT_NE(describe_change(before, after).text.find("16 bits (was 32 bits)"), std::string::npos);
   after = before;
+  after.lights.method = LightMethod::auto_;
+  const Settings automatic = after;
+  after.lights.cull = LightCull::back;
+  EXPECT_EQ(describe_change(automatic, after).pitfall, "") << "auto leaves out what is unsound";
+  EXPECT_NE(describe_change(automatic, after).text.find("only while this choice is sound"), std::string::npos);
+  after = before;
   after.camera.position.x += 1;
   EXPECT_TRUE(describe_change(before, after).text.empty());
 }

@@ -1,4 +1,5 @@
 // What tested, shaded and lit pairs are, and that no count depends on chance, size or number of lights.
+#include "renderer/estimate.h"
 #include "renderer/random.h"
 #include "tests/gl_fixture.h"
 
@@ -209,6 +210,24 @@ TEST_F(Counts, ListsAreTight) {
     EXPECT_LE(static_cast<double>(pairs.shaded) / lit, 1.1) << row(method).id;
     EXPECT_LE(static_cast<double>(pairs.tested) / lit, 3) << row(method).id;
   }
+}
+
+// What `auto` decides by: nobody knows the surfaces beforehand, but the size of the numbers is right.
+TEST_F(Counts, EstimatesAreOfTheirOrder) {
+  Stage stage(yard());
+  for (const int count : {4, 64, 1024})
+    for_each_row<LightMethod>([&](LightMethod method, auto& r) {
+      if (!r.sound() || method == LightMethod::auto_) return;
+      Settings s = counted(method, {160, 90});
+      s.lights.count = count;
+      const PairCounts pairs = stage.pairs(s);
+      const LightWork work = work_of(method, lights_in_view(s, stage.targets.lights));
+      for (const auto& [estimated, counted] :
+           {std::pair(work.tested, pairs.tested), std::pair(work.shaded, pairs.shaded)}) {
+        EXPECT_GT(estimated, static_cast<double>(counted) / 4) << r.id << ", " << count;
+        EXPECT_LT(estimated, static_cast<double>(counted) * 4) << r.id << ", " << count;
+      }
+    });
 }
 
 TEST_F(Counts, NoCullingCountsTwiceFromOutside) {

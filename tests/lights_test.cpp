@@ -123,6 +123,11 @@ TEST(LightsOf, ScaleFirstAndOnly) {
 
   s.lights.range_scale = 0.5;
   for (const Light& l : lights_of(s, terrain_grid())) EXPECT_EQ(l.range, 257);
+  Scene with_sun;
+  with_sun.lights.resize(1);
+  s.lights.source = LightSource::scene;
+  EXPECT_EQ(lights_of(s, with_sun)[0].range, kEndless) << "half of endless is endless";
+  s.lights.source = LightSource::generated;
 
   s.lights.range_scale = 1;
   const std::pair<int, size_t> firsts[] = {{-1, 64}, {0, 0}, {1, 1}, {63, 63}, {64, 64}, {1000, 64}};

@@ -76,7 +76,10 @@ Sentence describe_step(const Option& o, const Settings& before, const Settings& 
   Sentence s{fmt::format("{}: {} → {}. {}{}", o.label, from.label, to.label, with_full_stop(capitalised(to.help)),
                          cost_sentence(from, to)),
              ""};
-  if (!in_use(o, after))
+  const bool of_volumes = std::string_view(o.path).starts_with("lights.");
+  if (!in_use(o, after) && of_volumes && after.lights.method == LightMethod::auto_)
+    s.text += " The automatic method draws volumes only while this choice is sound.";
+  else if (!in_use(o, after))
     s.text += fmt::format(" No effect as things stand: {} does not use it.", why_unused(o, after));
   else
     s.pitfall = to.pitfall;

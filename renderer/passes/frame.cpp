@@ -100,7 +100,7 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   } else {
     pass("geometry", [&] { return draw_geometry(frame); });
     pass("lighting", [&] {
-      prepare_lighting(frame);
+      prepare_lighting(frame);  // building lists is part of what a method costs
       return draw_lighting(frame, output_of(s), targets.framebuffer(Pass::lighting));
     });
     if (shading == Shading::deferred)

@@ -24,8 +24,8 @@ int draw_clustered_lights(const LightingPass&);
 
 struct MethodRow {
   LightMethod method;
-  int (*draw)(const LightingPass&);            // framebuffer bound and cleared, blending on; -> draw calls
-  void (*prepare)(const Frame&) = nullptr;     // once per frame, before its light is drawn and its pairs are counted
+  int (*draw)(const LightingPass&);         // framebuffer bound and cleared, blending on; -> draw calls
+  void (*prepare)(const Frame&) = nullptr;  // once per frame, before its light is drawn and its pairs are counted
 };
 inline constexpr MethodRow kMethods[] = {
     {LightMethod::forward, nullptr},  // no light pass: see forward.cpp
