@@ -9,10 +9,10 @@ namespace {
 
 // clang-format off
 constexpr Mistake kMistakes[] = {
-  {"tbn-precedence", "normal map: turned, then expanded", "TBN * texel * 2 - 1 for TBN * (texel * 2 - 1): lighting tilts with the compass; flat ground hides it",
+  {"tbn-precedence", "normal map: turned, then expanded", "TBN * texel * 2 - 1 for TBN * (texel * 2 - 1): lighting tilts with the compass; ground whose frame runs along +X and +Z hides it",
    "nclgl tutorial 15, bufferFragment.glsl lines 19-20", MistakeIn::surface},
   {"interpolated-not-normalised", "interpolated normals stored as they are", "shorter than 1 between vertices: edges' middles darker, highlights gone",
-   "engine blog, standard.fs (Nv); tutorial 08-2, shader_deferred_geometry.fs", MistakeIn::surface},
+   "engine blog, part 31: Nv is stored as it arrives", MistakeIn::surface},
   {"nonuniform-scale-normal", "normals turned like positions", "a squashed model is lit as if it were not: the inverse transpose is missing",
    "tutorial 08-2, shader_deferred_geometry.vs", MistakeIn::surface},
   {"blend-on-in-fill", "blending left on while the G-buffer is filled", "alpha is data there, not coverage: what is stored is mixed with what was cleared",
@@ -20,7 +20,7 @@ constexpr Mistake kMistakes[] = {
   {"decode-not-normalised", "decoded normals used as they are", "8-bit codes are .993 to 1.007 long, and a power of 256 makes .19 to 5.4 of that",
    "engine blog, geomainpass.fs", MistakeIn::shading},
   {"specular-ungated", "highlights without N.L", "faces that are turned away from a light still glitter, and light leaks under floors",
-   "nclgl tutorial 15, pointlightfragment.glsl lines 32-37; tutorial 08-2, ProcessPointLights", MistakeIn::shading},
+   "nclgl tutorial 15, pointlightfragment.glsl lines 38-42; tutorial 08-2, ProcessPointLights", MistakeIn::shading},
   {"volume-without-distance-test", "no distance test under a volume", "a sphere's silhouette is shaded, not the sphere: discs of light on far walls behind it",
    "de Vries 2014, LearnOpenGL, Deferred Shading: light volumes", MistakeIn::shading},
   {"range-shortcut", "a light's range by a shortcut", "the linear term is left out: the light ends at 65 to 73 % of its range, brighter than meant",

@@ -97,6 +97,7 @@ Settings learnopengl_a() {
   s.shading = {ShadingModel::lambert, 16, 0.5};
   s.ambient = 0.1;
   s.background = {BackgroundFill::black, glm::dvec3(0.2), BackgroundSkip::none};
+  s.normal_map = NormalMap::off;
   s.colour = Colour::as_tutorial;
   s.layout = Layout::learnopengl;
   s.normal.encoding = NormalEncoding::xyz16f;
@@ -150,7 +151,8 @@ Settings objectid() {
   s.range.kind = RangeKind::none;
   s.shading.model = ShadingModel::phong;
   s.ambient = 0.1;
-  s.background = {BackgroundFill::black, glm::dvec3(0.2), BackgroundSkip::stencil};
+  s.background = {BackgroundFill::colour, {0.1, 0.2, 0.7}, BackgroundSkip::stencil};
+  s.normal_map = NormalMap::off;
   s.colour = Colour::as_tutorial;
   s.layout = Layout::objectid;
   s.normal.encoding = NormalEncoding::xyz32f;

@@ -28,7 +28,7 @@ MaterialNeeds needs_of(const Scene& scene) {
 LayoutChoice choose_layout(const MaterialNeeds& needs) {
   if (!needs.any()) return {Layout::albedo_roughness, {"metal, emission and occlusion: no material has any"}};
   LayoutChoice choice{Layout::compact_metal, {}};
-  if (!needs.metal) choice.left_out.push_back("nothing of metal: no material has any");
+  choice.left_out.push_back("the finer steps of metal and occlusion: 6 bits each are kept");
   if (needs.emission) choice.left_out.push_back("emission above 1, and its finer steps: 20 bits are kept");
   return choice;
 }

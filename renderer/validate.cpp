@@ -32,9 +32,10 @@ void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Pr
 void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Problem>& out) {
   const Shading shading = shading_of(s.lights.method);
   if (shading == Shading::forward) {
-    if (s.antialias == Antialias::msaa_resolved)
-      out.push_back({ProblemId::samples_need_gbuffer, "antialias",
-                     "msaa-resolved averages a G-buffer, and forward shading has none; choose none or edge-blur"});
+    if (s.antialias != Antialias::none)
+      out.push_back({ProblemId::antialias_needs_gbuffer, "antialias",
+                     fmt::format("{} reads a G-buffer, and forward shading has none; choose none",
+                                 row(s.antialias).id)});
     return;
   }
   const bool alpha = shading == Shading::deferred && facts(s.layout).alpha_marks;
@@ -90,7 +91,7 @@ const char* id_of(ProblemId id) {
                                   "feature-missing",
                                   "alpha-not-stored",
                                   "prepass-needs-split",
-                                  "samples-need-gbuffer",
+                                  "antialias-needs-gbuffer",
                                   "too-many-targets"};
   return kIds[static_cast<int>(id)];
 }

@@ -21,7 +21,7 @@ enum class ProblemId {
   feature_missing,
   alpha_not_stored,
   prepass_needs_split,
-  samples_need_gbuffer,
+  antialias_needs_gbuffer,
   too_many_targets
 };
 

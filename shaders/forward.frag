@@ -25,6 +25,10 @@ void main() {
     sum += s.albedo * one.diffuse + one.specular;
   }
 #endif
+#if BLENDED
   radiance = vec4(sum, base.a);
+#else
+  radiance = vec4(sum, 1.0);
+#endif
 #endif
 }

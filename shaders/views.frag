@@ -56,7 +56,11 @@ vec4 raw(ivec2 texel) {
 #elif VIEW == VIEW_MATERIAL && defined(STORED_REFLECTANCE) && !MATERIAL_WORDS
   return texelFetch(gbuffer_reflectance, texel, 0);
 #elif VIEW == VIEW_MATERIAL && defined(STORED_MATERIAL)
-  return vec4(raw_texel(texelFetch(gbuffer_material, texel, 0)).aaa, 1.0);
+#if MATERIAL_WORDS
+  return raw_texel(texelFetch(gbuffer_material, texel, 0));
+#else
+  return vec4(texelFetch(gbuffer_material, texel, 0).aaa, 1.0);
+#endif
 #elif VIEW == VIEW_NORMAL && defined(STORED_NORMAL)
   return raw_normal(texelFetch(gbuffer_normal, texel, 0));
 #elif VIEW == VIEW_NORMAL && NORMAL_IN_MATERIAL

@@ -250,7 +250,7 @@ TEST_F(Counts, NoCullingCountsTwiceFromOutside) {
 TEST_F(Counts, LightsPerPixelIsTheBruteForceCountForEverySoundMethod) {
   Stage stage(yard());
   for_each_row<LightMethod>([&](LightMethod method, auto& r) {
-    if (!r.sound()) return;
+    if (!r.sound() || method == LightMethod::forward) return;  // that one pays for hidden fragments, too
     const Picture counts = count_picture(stage, counted(method));
     for (const glm::vec4& t : counts.texels) EXPECT_EQ(t.b, t.a) << r.id;
   });
@@ -349,7 +349,8 @@ TEST_F(Counts, SixteenThousandLightsAreDrawnAndCounted) {
   s.lights.volume.level = VolumeLevel::l0;
   for_each_row<LightMethod>([&](LightMethod method, auto& r) {
     s.lights.method = method;
-    if (!sound(s)) return;
+    // Forward shading stores other bits, and light by light it would draw the scene 16 384 times.
+    if (!sound(s) || shading_of(method) != Shading::deferred) return;
     EXPECT_TRUE(like(stage.lit(s), reference, {.max_abs = 1e-5, .why = "float sums of the few lights in range"}))
         << r.id;
     const PairCounts pairs = stage.pairs(s);

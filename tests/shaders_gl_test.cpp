@@ -107,7 +107,7 @@ TEST_F(Shaders, TheDriverLaysOutTheFrameBlockAsCppDoes) {
   EXPECT_EQ(size_t(bytes), sizeof(shared::FrameBlock));
   EXPECT_EQ(size_t(expected), sizeof(shared::FrameBlock));
   EXPECT_EQ(offsetof(shared::FrameBlock, world_from_clip), 64u);
-  EXPECT_EQ(offsetof(shared::FrameBlock, view_from_world), 128u);
+  EXPECT_EQ(offsetof(shared::FrameBlock, view_from_world), 192u);
   EXPECT_EQ(offsetof(shared::FrameBlock, lights), sizeof(shared::FrameBlock) - 16);
 }
 

@@ -72,6 +72,7 @@ gl::Defines material_defines(const Settings& s, const Material& m) {
   return {{"NORMAL_MAP", s.normal_map == NormalMap::on && m.normal_texture.texture != kNoTexture},
           {"ALBEDO_WHITE", s.albedo == AlbedoSource::white},
           {"ALPHA_MASK", m.alpha_mode == AlphaMode::mask},
+          {"BLENDED", m.alpha_mode == AlphaMode::blend},
           {"UNLIT", m.unlit},
           {"UV_TRANSFORMS", !plain_uvs(m)}};
 }
