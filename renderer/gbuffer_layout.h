@@ -57,7 +57,6 @@ bool needs_stencil(const Settings&);
 bool lighting_tests_depth(const Settings&);
 bool lighting_has_depth(const Settings&);  // that, or the stencil beside it
 
-
 // Every target that the geometry pass writes, depth included, as stored; accumulation apart.
 int gbuffer_bytes_per_pixel(const Settings&);
 int accumulation_bytes_per_pixel(const Settings&);

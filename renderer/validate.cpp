@@ -33,9 +33,9 @@ void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Pr
   const Shading shading = shading_of(s.lights.method);
   if (shading == Shading::forward) {
     if (s.antialias != Antialias::none)
-      out.push_back({ProblemId::antialias_needs_gbuffer, "antialias",
-                     fmt::format("{} reads a G-buffer, and forward shading has none; choose none",
-                                 row(s.antialias).id)});
+      out.push_back(
+          {ProblemId::antialias_needs_gbuffer, "antialias",
+           fmt::format("{} reads a G-buffer, and forward shading has none; choose none", row(s.antialias).id)});
     return;
   }
   const bool alpha = shading == Shading::deferred && facts(s.layout).alpha_marks;

@@ -178,14 +178,16 @@ inline Settings comparable(Settings s) {
 // Equal terms summed in another order: each of at most 64 is rounded to 2^-24 of the largest sum. Forward shading also
 // interpolates what the others store, and where two surfaces have the very same depth its passes may take either.
 inline Tolerance same_picture(const Settings& s) {
-  const bool stray = s.position.source == PositionSource::world16f || s.position.source == PositionSource::view16f ||
-                     s.position.source == PositionSource::view_scaled ||
-                     (s.position.source == PositionSource::depth && s.position.reconstruct != PositionReconstruct::view_ray);
+  const bool stray =
+      s.position.source == PositionSource::world16f || s.position.source == PositionSource::view16f ||
+      s.position.source == PositionSource::view_scaled ||
+      (s.position.source == PositionSource::depth && s.position.reconstruct != PositionReconstruct::view_ray);
   if (shading_of(s.lights.method) == Shading::deferred && stray)
     return {.max_abs = 4e-6,
             .failing_fraction = 0.02,
-            .why = "these positions stray from their pixel: at a light's rim, methods that look at pixels and methods "
-                   "that look at positions leave out different ones"};
+            .why =
+                "these positions stray from their pixel: at a light's rim, methods that look at pixels and methods "
+                "that look at positions leave out different ones"};
   if (shading_of(s.lights.method) == Shading::deferred) return {.max_abs = 4e-6, .why = "float sums in another order"};
   return {.max_abs = 1e-4, .failing_fraction = 2e-4, .why = "no bits are stored between; two surfaces at one depth"};
 }

@@ -36,11 +36,11 @@ void for_each_combination(const std::function<void(const Settings&)>& check) {
 Format format_of(Stores what, const Settings& s) { return find(attachments(s), what)->format; }
 
 TEST(GbufferLayout, PresetsCostTheirBytes) {
-  EXPECT_EQ(gbuffer_bytes_per_pixel(preset("start").make()), 12);        // RGBA8 + RG16UI + D32F
-  const std::pair<const char*, int> kSources[] = {{"nclgl", 12},        {"stereo", 20},   {"learnopengl-a", 24},
+  EXPECT_EQ(gbuffer_bytes_per_pixel(preset("start").make()), 12);  // RGBA8 + RG16UI + D32F
+  const std::pair<const char*, int> kSources[] = {{"nclgl", 12},       {"stereo", 20},   {"learnopengl-a", 24},
                                                   {"learnopengl", 24}, {"objectid", 56}, {"viewspace", 36}};
   for (const auto& [id, bytes] : kSources) EXPECT_EQ(gbuffer_bytes_per_pixel(preset(id).make()), bytes) << id;
-  EXPECT_EQ(accumulation_bytes_per_pixel(preset("start").make()), 16);   // two RGBA16F
+  EXPECT_EQ(accumulation_bytes_per_pixel(preset("start").make()), 16);  // two RGBA16F
   Settings least = preset("start").make();
   least.normal.encoding = NormalEncoding::oct8;
   least.depth.format = DepthFormat::d16;

@@ -97,25 +97,21 @@ Settings grove_settings() {
   return s;
 }
 
-// Where the lighting takes the surface to be: the largest distance from what float view positions say.
-double largest_position_error(Settings s, PositionReconstruct how) {
+// Where the lighting takes the surface to be: the largest distance between the two settings' positions.
+double largest_distance(const Settings& a, const Settings& b) {
   Stage& stage = shared_stage(terrain());
-  s.position.reconstruct = how;
-  Settings truth = s;
-  truth.position.source = PositionSource::view32f;
-  truth.position.reconstruct = PositionReconstruct::view_ray;
-  const auto position_at = [&](const Settings& drawn, glm::ivec2 pixel) {
-    stage.renderer.start_probe(drawn, terrain(), stage.targets, pixel);
-    return glm::dvec3((*stage.renderer.take_probe(stage.targets, true))[2]);
+  const auto positions = [&](const Settings& s) {
+    std::vector<glm::dvec3> out;
+    stage.draw(s);
+    for (int x = 44; x < s.size.x - 40; x += 8) {  // on the ground, some hundred to a few thousand units away
+      stage.renderer.start_probe(s, terrain(), stage.targets, {x, s.size.y * 65 / 100});
+      out.push_back((*stage.renderer.take_probe(stage.targets, true))[2]);
+    }
+    return out;
   };
-  const int y = s.size.y * 65 / 100;  // on the ground, some hundred units away
-  std::vector<glm::dvec3> expected;
-  stage.draw(truth);
-  for (int x = 44; x < s.size.x - 40; x += 8) expected.push_back(position_at(truth, {x, y}));
-  stage.draw(s);
+  const std::vector<glm::dvec3> x = positions(a), y = positions(b);
   double largest = 0;
-  for (size_t i = 0; i < expected.size(); ++i)
-    largest = std::max(largest, glm::distance(position_at(s, {44 + 8 * static_cast<int>(i), y}), expected[i]));
+  for (size_t i = 0; i < x.size(); ++i) largest = std::max(largest, glm::distance(x[i], y[i]));
   return largest;
 }
 
@@ -162,12 +158,14 @@ Proof resolved_samples() {
   return {double(odd_lengths(broken, yard())), double(odd_lengths(s, yard())), 50};
 }
 
+// One matrix for all pixels, or one that interpolation rounds anew at each: the same depth gives two positions.
 Proof inverse_varying() {
-  Settings s = settings_for(terrain(), {320, 180});
-  s.camera = preset("nclgl").make().camera;
-  // What interpolation adds to the inverse's own noise, which the uniform matrix has as well.
-  const double uniform = largest_position_error(s, PositionReconstruct::inverse_viewproj);
-  return {largest_position_error(s, PositionReconstruct::inverse_viewproj_varying) / uniform - 1, 0, 0.02};
+  Settings uniform = settings_for(terrain(), {320, 180});
+  uniform.camera = preset("nclgl").make().camera;
+  uniform.position.reconstruct = PositionReconstruct::inverse_viewproj;
+  Settings varying = uniform;
+  varying.position.reconstruct = PositionReconstruct::inverse_viewproj_varying;
+  return {largest_distance(varying, uniform), largest_distance(uniform, uniform), 0.01};
 }
 
 const std::map<std::string, std::function<Proof()>>& row_proofs() {

@@ -24,7 +24,8 @@ std::vector<Number> numbers(const FrameReport& r, bool pass_by_pass) {
   std::vector<Number> n;
   n.push_back({"bytes per pixel",
                fmt::format("{} G-buffer + {} light", r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel)});
-  if (!r.method_reason.empty()) n.push_back({"method", fmt::format("{}: {}", row(r.drawn.lights.method).label, r.method_reason)});
+  if (!r.method_reason.empty())
+    n.push_back({"method", fmt::format("{}: {}", row(r.drawn.lights.method).label, r.method_reason)});
   n.push_back({"pairs shaded", r.pairs ? grouped(r.pairs->shaded) : "…"});
   std::string lit = r.pairs && r.pairs->lit ? grouped(*r.pairs->lit) : "…";
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)

@@ -12,7 +12,7 @@ constexpr GLenum kDepthFunctions[] = {GL_ALWAYS, GL_LESS, GL_LEQUAL, GL_EQUAL, G
 
 struct StencilRow {
   Stencil stencil;
-  GLenum test;                       // of the stored value's `mask` bits, with `reference`'s
+  GLenum test;  // of the stored value's `mask` bits, with `reference`'s
   GLint reference;
   GLuint mask, written;              // bits that are compared, and that are changed
   GLenum front_hidden, back_hidden;  // what happens where the depth test fails

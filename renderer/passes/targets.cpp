@@ -79,8 +79,8 @@ void Targets::resolve_samples() const {
     only.back() = slot;
     glReadBuffer(slot);
     glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
-    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
-                      GL_COLOR_BUFFER_BIT | (i == 0 ? depth_bits : 0u), GL_NEAREST);
+    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT | (i == 0 ? depth_bits : 0u),
+                      GL_NEAREST);
     all.push_back(slot);
   }
   glDrawBuffers(static_cast<GLsizei>(all.size()), all.data());

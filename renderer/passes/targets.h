@@ -41,7 +41,7 @@ class Targets {
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
   Canvas& composed();  // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
   const gl::Texture& shown() const { return composed_valid ? composed_->texture : *texture(Stores::lit); }
-  Canvas& counts();  // RGBA32F: pairs tested, shaded, in range; with the lighting's depth
+  Canvas& counts();                            // RGBA32F: pairs tested, shaded, in range; with the lighting's depth
   const gl::Framebuffer& counts_with_depth();  // counts() with a depth buffer of its own: forward shading draws anew
   Canvas& counts_lit();
   Canvas& unblurred();   // RGBA32F: `lit` before its edges are blurred
