@@ -85,6 +85,13 @@ constexpr ViewRow kViews[] = {
    .decode = "albedo x (ambient + diffuse light) + specular light; shown cut to 0..1, without exposure or curve",
    .in_sources = "nclgl: none, CombineBuffers writes to the back buffer; stereo: g_uiAccumulation, R11G11B10F; learnopengl: none, FragColor; objectid: m_framebuffertexture, RGBA8; viewspace: none, light is blended onto the screen",
    .mistake = "clamping to 1 here: what overlapping lights add up to is gone before exposure can bring it back"},
+  {.view = View::wasted_pairs, .id = "wasted-pairs", .key = "", .label = "wasted pairs",
+   .sentence = "How often a light was shaded here that does not reach the surface: work for nothing.",
+   .written_by = Pass::lighting, .space = "a count",
+   .unit = "shaded (pixel, light) pairs with distance >= range", .range = "0 and up; 21 and more share a colour", .read_by = "nobody; it is counted to be looked at",
+   .decode = "pairs shaded - pairs shaded in range",
+   .in_sources = "none of the five shows it; nclgl's figure of two cows explains it",
+   .mistake = "taking the pixels under a light volume for the pixels in it: from the camera a sphere covers what lies far behind it, too"},
 };
 // clang-format on
 
@@ -106,7 +113,8 @@ Stores stored(View v) {
     case View::specular_light: return Stores::specular_light;
     case View::final:
     case View::lit:
-    case View::lights_per_pixel: return Stores::lit;
+    case View::lights_per_pixel:
+    case View::wasted_pairs: return Stores::lit;
   }
   return Stores::lit;
 }
@@ -168,6 +176,18 @@ Legend count_legend() {
   return counts;
 }
 
+Legend wasted_legend() {
+  Legend counts;
+  for (int i = 0; i < kLightCountColours; ++i) {
+    const int from = kWastedFrom[i], to = i + 1 < kLightCountColours ? kWastedFrom[i + 1] - 1 : from;
+    const std::string label = i + 1 == kLightCountColours ? fmt::format("{}+", from)
+                              : from == to                ? fmt::format("{}", from)
+                                                          : fmt::format("{}-{}", from, to);
+    counts.entries.push_back({label, kLightCountPalette[i]});
+  }
+  return counts;
+}
+
 Legend position_legend(const Bounds& bounds) {
   return {false,
           {{"red: x", {1, 0, 0}},
@@ -216,7 +236,7 @@ std::string why_missing(View v, const Settings& s) {
 
 std::string stored_as(View v, const Settings& s) {
   // Not part of the frame: a counter that is drawn only while somebody looks at it.
-  if (v == View::lights_per_pixel) return "counted apart, R32F 4 B";
+  if (counted(v)) return "counted apart, R32F 4 B";
   const std::vector<Attachment> all = attachments(s);
   const Attachment* a = find(all, stored(v));
   const bool beside_albedo = v == View::material && !facts(s.layout).words && s.layout != Layout::float32;
@@ -251,6 +271,7 @@ Legend legend(View v, const Settings& s, const Bounds& bounds) {
     case View::depth: return depth_legend(s, bounds);
     case View::material: return roughness_legend(s);
     case View::lights_per_pixel: return count_legend();
+    case View::wasted_pairs: return wasted_legend();
     case View::position: return position_legend(bounds);
     case View::final:
     case View::albedo:

@@ -22,9 +22,13 @@ enum class View {
   specular_light,
   lights_per_pixel,
   position,
-  lit
+  lit,
+  wasted_pairs
 };
-inline constexpr int kViewCount = 10;
+inline constexpr int kViewCount = 11;
+
+// Does the view show a count of pairs, which is made only while somebody looks?
+inline bool counted(View v) { return v == View::lights_per_pixel || v == View::wasted_pairs; }
 
 struct ViewRow {
   View view;
@@ -75,6 +79,8 @@ Legend legend(View, const Settings&, const Bounds&);
 inline constexpr glm::vec3 kSkyColour{0.09f, 0.13f,
                                       0.30f};  // of depth, normal, …: no surface (dark blue, as users asked)
 inline constexpr int kLightCountColours = 6;   // 0, 1, 2, 3, 4, 5+
+// From which number of wasted pairs on each of these colours is used: what is wasted is a multiple of what is lit.
+inline constexpr int kWastedFrom[kLightCountColours] = {0, 1, 3, 6, 11, 21};
 extern const glm::vec3 kLightCountPalette[kLightCountColours];
 
 }  // namespace gbl

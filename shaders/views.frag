@@ -11,6 +11,7 @@ uniform sampler2D light_diffuse;
 uniform sampler2D light_specular;
 #endif
 uniform vec3 sky_colour;          // where no surface is
+uniform int wasted_from[6];       // the number from which each colour stands
 uniform vec3 count_palette[6];    // 0, 1, 2, 3, 4, 5 and more
 layout(location = 0) out vec4 picture;
 
@@ -32,6 +33,11 @@ vec3 shown_surface(Surface s, ivec2 texel) {
   return display(texelFetch(light_diffuse, texel, 0).rgb, shading.w);
 #elif VIEW == VIEW_SPECULAR_LIGHT && SPLIT
   return display(texelFetch(light_specular, texel, 0).rgb, shading.w);
+#elif VIEW == VIEW_WASTED_PAIRS
+  vec4 pairs = texelFetch(counts, texel, 0);
+  int colour = 0;
+  for (int i = 1; i < 6; ++i) colour += int(pairs.g - pairs.b) >= wasted_from[i] ? 1 : 0;
+  return count_palette[colour];
 #elif VIEW == VIEW_LIGHTS_PER_PIXEL
   return count_palette[int(min(texelFetch(counts, texel, 0).b, 5.0))];
 #elif VIEW == VIEW_POSITION
@@ -73,6 +79,9 @@ vec4 raw(ivec2 texel) {
   return vec4(texelFetch(light_diffuse, texel, 0).rgb, 1.0);
 #elif VIEW == VIEW_SPECULAR_LIGHT && SPLIT
   return vec4(texelFetch(light_specular, texel, 0).rgb, 1.0);
+#elif VIEW == VIEW_WASTED_PAIRS
+  vec4 pairs = texelFetch(counts, texel, 0);
+  return vec4(vec3(pairs.g - pairs.b) / 255.0, 1.0);
 #elif VIEW == VIEW_LIGHTS_PER_PIXEL
   return vec4(texelFetch(counts, texel, 0).bbb / 255.0, 1.0);
 #else

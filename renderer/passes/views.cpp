@@ -30,7 +30,7 @@ void draw_wires(const Frame& frame, VolumeShape shape) {
 
 // Dark where light is summed, the sky's own colour where a surface is described.
 glm::vec3 sky_of(View view) {
-  const bool light = view == View::diffuse_light || view == View::specular_light || view == View::lights_per_pixel;
+  const bool light = view == View::diffuse_light || view == View::specular_light || counted(view);
   return light ? glm::vec3(0) : kSkyColour;
 }
 
@@ -46,7 +46,7 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
-  if (view == View::lights_per_pixel && !targets.counts_valid) count_pairs(s, scene, targets, false);
+  if (counted(view) && !targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
   gl::Defines defines = frame.defines();
   defines.push_back({"SPLIT", frame.split()});
@@ -59,9 +59,10 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   bind_gbuffer(frame);
   bind_light_sums(frame);
   gl::bind_texture(kLitUnit, view == View::final ? targets.shown() : *targets.texture(Stores::lit));
-  if (view == View::lights_per_pixel) gl::bind_texture(kCountUnit, targets.counts().texture);
+  if (counted(view)) gl::bind_texture(kCountUnit, targets.counts().texture);
   glUseProgram(program.id());
   glUniform3fv(program.uniform("sky_colour"), 1, glm::value_ptr(sky_of(view)));
+  glUniform1iv(program.uniform("wasted_from"), kLightCountColours, kWastedFrom);
   glUniform3fv(program.uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
   shapes_.draw_fullscreen();
   if (options.overlays) {
