@@ -14,13 +14,14 @@ namespace {
 // What the parts of the methods cost, in units of one turn of the full-screen loop: a light's record read, its distance
 // taken, and its shading if it is in range. Measured with llvmpipe on two cores in hall and terrain, 16 to 16 384 lights,
 // from local ones to all that reach all: the turn took 4.5 to 8 ns, as busy as the machine was.
-constexpr double kPixel = 2;          // a full-screen pass reads the G-buffer and writes its sums
-constexpr double kSecondTest = 0.1;   // of a distance that shade() tests again
-constexpr double kFindCluster = 1.8;  // a pixel looks up where its list is
-constexpr double kListed = 1.3;       // a turn of a loop whose lights come from a cluster's list
-constexpr double kMarked = 1.1;       // … and from a tile's bits
-constexpr double kFragment = 3.2;     // a pair with a fragment of its own: it reads the G-buffer, shades and blends
-constexpr double kMark = 0.4;         // a fragment that is only tested against depth
+constexpr double kPixel = 2;           // a full-screen pass reads the G-buffer and writes its sums
+constexpr double kSecondTest = 0.1;    // of a distance that shade() tests again
+constexpr double kFindCluster = 1.8;   // a pixel looks up where its list is
+constexpr double kListed = 1.3;        // a turn of a loop whose lights come from a cluster's list
+constexpr double kMarked = 1.1;        // … and from a tile's bits
+constexpr double kFragment = 3.2;      // a pair with a fragment of its own: it reads the G-buffer, shades and blends
+constexpr double kMeshFragment = 4.8;  // … of a mesh: its small triangles leave blocks of pixels half used
+constexpr double kMark = 0.4;          // a fragment that is only tested against depth
 constexpr double kDraw = 2000;
 constexpr double kTriangle = 13;  // of a mesh
 constexpr double kQuad = 300;
@@ -118,21 +119,23 @@ LightWork fullscreen_radius(const LightsInView& v) {
 }
 
 // Every fragment is a pair that is read and shaded.
-LightWork blended(double fragments, double setup) { return {fragments, fragments, kFragment * fragments + setup}; }
+LightWork blended(double fragments, double each, double setup) {
+  return {fragments, fragments, each * fragments + setup};
+}
 
 LightWork volumes(const LightsInView& v) {
-  return blended(v.under_volumes, v.lights * (kDraw + kTriangle * v.volume_triangles));
+  return blended(v.under_volumes, kMeshFragment, v.lights * (kDraw + kTriangle * v.volume_triangles));
 }
 LightWork volumes_instanced(const LightsInView& v) {
-  return blended(v.under_volumes, 2 * kDraw + v.lights * kTriangle * v.volume_triangles);
+  return blended(v.under_volumes, kMeshFragment, 2 * kDraw + v.lights * kTriangle * v.volume_triangles);
 }
 // Both faces of each volume are marked, and what is inside is shaded.
 LightWork volumes_stencil(const LightsInView& v) {
   const double marks = 2 * kMark * v.under_volumes, setup = v.lights * (2 * kDraw + 3 * kTriangle * v.volume_triangles);
   return {v.reached, v.reached, kFragment * v.reached + marks + setup};
 }
-LightWork quads(const LightsInView& v) { return blended(v.under_quads, v.lights * kQuad); }
-LightWork discs(const LightsInView& v) { return blended(v.under_volumes, v.lights * kDisc); }
+LightWork quads(const LightsInView& v) { return blended(v.under_quads, kFragment, v.lights * kQuad); }
+LightWork discs(const LightsInView& v) { return blended(v.under_volumes, kMeshFragment, v.lights * kDisc); }
 
 LightWork tiled(const LightsInView& v) {
   const double batches = std::ceil(v.lights / kBatch) * std::max(1.0, v.pixels / (kTile * kTile));
