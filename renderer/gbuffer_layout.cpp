@@ -32,7 +32,7 @@ constexpr Attachment kObjectid[] = {
   of_geometry("gbuffer.diffuse", Stores::material, Format::rgba8, "rgb: Kd, sRGB-coded; a: 1"),
   of_geometry("gbuffer.specular", Stores::reflectance, Format::rgba8, "rgb: Ks; a: 1"),
   of_geometry("gbuffer.shininess", Stores::shininess, Format::r32f, "r: Ns, the highlight's exponent"),
-  of_geometry("gbuffer.object_id", Stores::id, Format::r32ui, "r: number of the object, from 1; 0 where none is")};
+  of_geometry("gbuffer.object_id", Stores::id, Format::r32ui, "r: number of the object, from 1 (0: none)")};
 constexpr Attachment kViewspace[] = {
   of_geometry("gbuffer.ambient", Stores::ambient, Format::rgba8, "rgb: ambient colour, sRGB-coded; a: 1 where a surface is"),
   of_geometry("gbuffer.diffuse", Stores::material, Format::rgba8, "rgb: diffuse colour, sRGB-coded; a: 1"),

@@ -8,10 +8,10 @@
 namespace gbl {
 namespace {
 
-constexpr int kLeft = 250, kWidth = 640, kRow = 34, kTop = 44;
+constexpr int kLeft = 250, kWidth = 640, kRow = 50, kCell = 26, kTop = 44;
 
 struct Cell {
-  std::string channels, meaning;
+  std::string channels;
   int bits;
 };
 
@@ -42,7 +42,7 @@ std::vector<Cell> cells_of(const Attachment& a) {
       cells.push_back(
           {std::string(part.substr(0, colon)), std::string(part.substr(colon + 2)), bits_of_channels(a.format, colon)});
     else
-      cells.push_back({"", std::string(part), row(a.format).bytes * 8});
+      cells.push_back({"", row(a.format).bytes * 8});
   }
   return cells;
 }
@@ -66,14 +66,13 @@ std::string packing_svg(const Settings& s, const std::string& title) {
     for (const Cell& c : cells_of(a)) {
       const double width = double(kWidth) * c.bits / most;
       body += fmt::format(
-          "<g><rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"#e8eef7\" stroke=\"#335\"/><title>{}, "
-          "{} bits</title>"
-          "<svg x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\"><text x=\"6\" y=\"19\">{}{}</text></svg></g>\n",
-          x, y, width, kRow - 6, escaped(c.meaning), c.bits, x, y, width, kRow - 6,
-          c.channels.empty() ? "" : fmt::format("<tspan font-weight=\"bold\">{}</tspan> ", c.channels),
-          escaped(c.meaning));
+          "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"#e8eef7\" stroke=\"#335\"/>"
+          "<text x=\"{:.1f}\" y=\"{}\"><tspan font-weight=\"bold\">{}</tspan> {}</text>\n",
+          x, y, width, kCell, x + 6, y + 18, c.channels, c.bits);
       x += width;
     }
+    body += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#333\">{}</text>\n", kLeft, y + kCell + 13,
+                        escaped(a.contents));
     y += kRow;
   }
   return fmt::format(
