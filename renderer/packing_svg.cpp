@@ -39,8 +39,7 @@ std::vector<Cell> cells_of(const Attachment& a) {
     const size_t colon = part.find(':');
     const bool named = colon != std::string_view::npos && part.find_first_not_of("rgba") == colon;
     if (named)
-      cells.push_back(
-          {std::string(part.substr(0, colon)), std::string(part.substr(colon + 2)), bits_of_channels(a.format, colon)});
+      cells.push_back({std::string(part.substr(0, colon)), bits_of_channels(a.format, colon)});
     else
       cells.push_back({"", row(a.format).bytes * 8});
   }
