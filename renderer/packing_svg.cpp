@@ -43,6 +43,9 @@ std::vector<Cell> cells_of(const Attachment& a) {
     else
       cells.push_back({"", row(a.format).bytes * 8});
   }
+  int unused = row(a.format).bytes * 8;
+  for (const Cell& c : cells) unused -= c.bits;
+  if (unused > 0) cells.push_back({"unused", unused});
   return cells;
 }
 
