@@ -104,10 +104,9 @@ Rows position_list() {
   return out;
 }
 
-template <class Table>
-Rows mistake_rows(const Table& table) {
+Rows mistake_rows() {
   Rows out;
-  for (const auto& m : table) {
+  for (const Mistake& m : mistakes()) {
     Json j = base(m.id, m.label);
     j["sound"] = false;
     j["help"] = m.help;
@@ -182,7 +181,7 @@ const List kLists[] = {
     {"layouts", [] { return value_rows<Layout>(); }},
     {"encodings", encoding_rows},
     {"positions", position_list},
-    {"mistakes", [] { return mistake_rows(mistakes()); }},
+    {"mistakes", mistake_rows},
     {"methods", [] { return value_rows<LightMethod>(); }},
     {"culls", [] { return value_rows<LightCull>(); }},
     {"views", view_rows},

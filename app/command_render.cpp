@@ -17,8 +17,7 @@ namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double kWarnMs = 5000;      // a frame predicted longer than this is announced
-constexpr double kMaxLitTests = 4e9;  // pairs_lit is a full-screen loop over all lights: above this it is left out
+constexpr double kWarnMs = 5000;  // a frame predicted longer than this is announced
 
 std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
   std::vector<View> out;
@@ -117,7 +116,7 @@ ExitCode run_render(const Arguments& a) {
   make_folder(folder);
   announce(lab, s);
   lab.draw(s);
-  lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMaxLitTests);
+  lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMostLitTests);
   const std::string state = to_json(s).dump(2) + "\n";
   Writer writer(folder, {{kSettingsKey, state}});
   for (const View v : shown) {

@@ -13,6 +13,9 @@
 
 namespace gbl {
 
+// pairs_lit is a full-screen loop over all lights: with more turns than this the commands leave it out.
+inline constexpr double kMostLitTests = 4e9;
+
 class Lab {
  public:
   explicit Lab(FeatureSet without);  // needs a current context

@@ -90,7 +90,7 @@ void apply_scene(Settings& s, std::string_view name, const Scene& scene) {
   s.lights.source = scene.lights.empty() ? LightSource::generated : LightSource::scene;
   s.lights.count = plain.lights.count, s.lights.seed = plain.lights.seed;
   s.lights.range_scale = 1, s.lights.only = -1, s.lights.first = -1;
-  s.view.pick = 0;
+  s.view.pick = 0, s.view.object = 0;  // numbers of another scene mean nothing here
   if (!is_builtin(name)) {
     // As displayed: a fifth of ambient light before a dark backdrop, whatever the exposure.
     s.ambient = std::min(0.2 / scene.exposure, 100.0);

@@ -62,8 +62,9 @@ void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Pr
 void check_volumes(const Settings& s, std::vector<Problem>& out) {
   if (needs_stencil(s) && s.depth.format == DepthFormat::d16)
     out.push_back({ProblemId::stencil_needs_d24, "depth.format",
-                   fmt::format("d16 has no room for the stencil buffer that lights.method={} needs; choose d24 or d32f",
-                               row(s.lights.method).id)});
+                   fmt::format("d16 has no room for the stencil buffer that {} needs; choose d24 or d32f",
+                               s.lights.method == LightMethod::volumes_stencil ? "lights.method=volumes-stencil"
+                                                                               : "background.skip=stencil")});
   const VolumeDepth depth = s.lights.volume.depth;
   if (!draws_chosen_faces(s.lights.method)) return;
   const auto needs = [&](ProblemId id, LightCull cull, const char* side) {

@@ -162,6 +162,16 @@ TEST(Validate, ADepthTestGoesWithOneCullingRule) {
   }
 }
 
+TEST(Validate, D16IsRefusedForTheStencilThatAskedForIt) {
+  Settings s = preset("start").make();
+  s.depth.format = DepthFormat::d16;
+  s.background.skip = BackgroundSkip::stencil;
+  const std::vector<Problem> problems = validate(s, every_feature());
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].id, ProblemId::stencil_needs_d24);
+  EXPECT_TRUE(contains(problems[0].sentence, "background.skip=stencil")) << problems[0].sentence;
+}
+
 TEST(Validate, EveryIdIsUniqueAndProducedAbove) {
   std::set<ProblemId> produced;
   for (const Case& c : kCases) produced.insert(c.id);

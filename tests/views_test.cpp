@@ -18,9 +18,8 @@ double luminance(const glm::vec3& coded) {
 }
 
 TEST(Views, RowIsViewAndIdsAreThePromisedOnes) {
-  const char* promised[] = {"final",         "albedo",         "normal",           "depth",    "material",
-                            "diffuse-light", "specular-light", "lights-per-pixel", "position", "lit",
-                            "wasted-pairs"};
+  const char* promised[] = {"final",          "albedo",           "normal",   "depth", "material",    "diffuse-light",
+                            "specular-light", "lights-per-pixel", "position", "lit",   "wasted-pairs"};
   ASSERT_EQ(views().size(), static_cast<size_t>(kViewCount));
   for (int i = 0; i < kViewCount; ++i) {
     const ViewRow& r = views()[i];
