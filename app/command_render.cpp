@@ -23,7 +23,7 @@ std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
   std::vector<View> out;
   if (a.only.empty()) {
     for (const ViewRow& v : views())
-      if (why_missing(v.view, s).empty()) out.push_back(v.view);
+      if (!needs_truth(v.view) && why_missing(v.view, s).empty()) out.push_back(v.view);
     return out;
   }
   std::istringstream list(a.only);

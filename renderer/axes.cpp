@@ -202,6 +202,21 @@ constexpr ValueRow kVolumeOverlay[] = {
   {.value = at(VolumeOverlay::picked), .id = "picked", .label = "picked light", .help = "the wire of the picked light's volume; parts behind a surface are faint"},
   {.value = at(VolumeOverlay::all), .id = "all", .label = "all lights", .help = "the wires of all volumes in their lights' colours"},
 };
+constexpr ValueRow kErrorOf[] = {
+  {.value = at(ErrorOf::final), .id = "final", .label = "final", .help = "as displayed, in codes of 255: what a class can see"},
+  {.value = at(ErrorOf::lit), .id = "lit", .label = "lit", .help = "linear radiance before the display"},
+  {.value = at(ErrorOf::diffuse_light), .id = "diffuse-light", .label = "diffuse light", .help = "the sum of diffuse light, without albedo"},
+  {.value = at(ErrorOf::specular_light), .id = "specular-light", .label = "specular light", .help = "the sum of highlights"},
+  {.value = at(ErrorOf::normal), .id = "normal", .label = "normal", .help = "the angle to the true normal, degrees"},
+  {.value = at(ErrorOf::position), .id = "position", .label = "position", .help = "the distance to the true point, world units"},
+  {.value = at(ErrorOf::depth), .id = "depth", .label = "depth", .help = "along the view axis, world units: farther than it is, or nearer"},
+  {.value = at(ErrorOf::albedo), .id = "albedo", .label = "albedo", .help = "linear, the channel that is off most"},
+  {.value = at(ErrorOf::roughness), .id = "roughness", .label = "roughness", .help = "as stored, 0..1"},
+};
+constexpr ValueRow kErrorScale[] = {
+  {.value = at(ErrorScale::magnitude), .id = "magnitude", .label = "magnitude", .help = "how far off, from black to yellow (magma)", .source = "Smith and van der Walt 2015, matplotlib: magma"},
+  {.value = at(ErrorScale::with_sign), .id = "signed", .label = "signed", .help = "too much is red, too little blue, white is right", .source = "Brewer 2002, ColorBrewer: RdBu"},
+};
 constexpr ValueRow kLightMarkers[] = {
   {.value = at(LightMarkers::off), .id = "off", .label = "off", .help = "lights are not drawn"},
   {.value = at(LightMarkers::on), .id = "on", .label = "cubes", .help = "a small cube in its colour at each point and spot light, drawn forward after lighting", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
@@ -245,6 +260,8 @@ GBL_ROWS(Antialias, kAntialias)
 GBL_ROWS(DrawOrder, kDrawOrder)
 GBL_ROWS(VolumeOverlay, kVolumeOverlay)
 GBL_ROWS(LightMarkers, kLightMarkers)
+GBL_ROWS(ErrorOf, kErrorOf)
+GBL_ROWS(ErrorScale, kErrorScale)
 #undef GBL_ROWS
 
 int parse_id(std::span<const ValueRow> table, std::string_view id, std::string_view where) {

@@ -100,6 +100,8 @@ enum class DrawOrder { near_far, far_near, seeded };
 
 // ---- what is looked at ------------------------------------------------------------------------------------
 enum class VolumeOverlay { off, picked, all };
+enum class ErrorOf { final, lit, diffuse_light, specular_light, normal, position, depth, albedo, roughness };
+enum class ErrorScale { magnitude, with_sign };
 
 // The table of an enum; specialised in axes.cpp's rows, reached only through rows<E>().
 template <class E>

@@ -168,6 +168,9 @@ const Option kOptions[] = {
   {.path = "view.volumes", .group = Group::view, .label = "Light volumes", .help = "wires over the main view", .key = "V", CHOICE(VolumeOverlay, view.volumes)},
   {.path = "view.pick", .group = Group::view, .label = "Picked light", .help = "index of the light that wires, I and captions speak of", INTEGER(view.pick, 0, kMaxLights - 1)},
   {.path = "view.object", .group = Group::view, .label = "Picked object", .help = "number of the object that is outlined and named, from 1; 0 = none", INTEGER(view.object, 0, 1 << 24)},
+  {.path = "view.error.of", .group = Group::view, .label = "Error of", .help = "what the error view compares with the reference", .key = "Y", CHOICE(ErrorOf, view.error.of)},
+  {.path = "view.error.scale", .group = Group::view, .label = "Error scale", .help = "how far off, or which way", CHOICE(ErrorScale, view.error.scale)},
+  {.path = "view.error.range", .group = Group::view, .label = "Error range", .help = "where the error's colour bar ends, in its unit; 0 = at the largest error", NUMBER(view.error.range, 0, kFar)},
 };
 // clang-format on
 #undef TEXT

@@ -102,6 +102,12 @@ struct Settings {
     VolumeOverlay volumes = VolumeOverlay::off;
     int pick = 0;    // the picked light's index
     int object = 0;  // the picked object's number, from 1; 0: none
+    struct Error {
+      ErrorOf of = ErrorOf::final;
+      ErrorScale scale = ErrorScale::magnitude;
+      double range = 0;  // where the colour bar ends, in the quantity's unit; 0: at the largest error
+      bool operator==(const Error&) const = default;
+    } error;
     bool operator==(const View&) const = default;
   } view;
 

@@ -92,6 +92,20 @@ constexpr ViewRow kViews[] = {
    .decode = "pairs shaded - pairs shaded in range",
    .in_sources = "none of the five shows it; nclgl's figure of two cows explains it",
    .mistake = "taking the pixels under a light volume for the pixels in it: from the camera a sphere covers what lies far behind it, too"},
+  {.view = View::reference, .id = "reference", .key = "", .label = "reference",
+   .sentence = "The truth, worked out on the CPU in double precision: the seen triangle, then every light by brute force.",
+   .written_by = Pass::combine, .space = "linear RGB",
+   .unit = "radiance", .range = "0 and up; shown as final is", .read_by = "the error view and all measures",
+   .decode = "pixel-centre ray x visible triangle -> point, normal, material; ambient + emission + sum over all lights, in double, in light order",
+   .in_sources = "none of the five has one: they are judged by eye",
+   .mistake = "taking the renderer's own full-screen loop for the truth: it reads the same quantised G-buffer, so what storing loses cannot show"},
+  {.view = View::error, .id = "error", .key = "", .label = "error",
+   .sentence = "How far the picture, or one of its buffers, is from the reference.",
+   .written_by = Pass::combine, .space = "of what view.error.of names",
+   .unit = "codes of 255, radiance, degrees or world units", .range = "0 to the largest error, or view.error.range", .read_by = "nobody; the same numbers are measured on the CPU",
+   .decode = "shown - true of the channel that is off most; magnitude: magma, signed: red too much, blue too little",
+   .in_sources = "none of the five measures one",
+   .mistake = "one mean for the whole picture: a light that is lost in one per cent of it hardly moves a mean"},
 };
 // clang-format on
 
@@ -114,7 +128,9 @@ Stores stored(View v) {
     case View::final:
     case View::lit:
     case View::lights_per_pixel:
-    case View::wasted_pairs: return Stores::lit;
+    case View::wasted_pairs:
+    case View::reference:
+    case View::error: return Stores::lit;
   }
   return Stores::lit;
 }
@@ -277,7 +293,9 @@ Legend legend(View v, const Settings& s, const Bounds& bounds) {
     case View::albedo:
     case View::diffuse_light:
     case View::specular_light:
-    case View::lit: break;
+    case View::lit:
+    case View::reference:
+    case View::error: break;  // the error's bar depends on what was found: see error_view.h
   }
   return {};
 }

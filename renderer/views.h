@@ -23,9 +23,14 @@ enum class View {
   lights_per_pixel,
   position,
   lit,
-  wasted_pairs
+  wasted_pairs,
+  reference,
+  error
 };
-inline constexpr int kViewCount = 11;
+inline constexpr int kViewCount = 13;
+
+// Does the view need the reference, which takes a second or more and is made only while somebody looks?
+inline bool needs_truth(View v) { return v == View::reference || v == View::error; }
 
 // Does the view show a count of pairs, which is made only while somebody looks?
 inline bool counted(View v) { return v == View::lights_per_pixel || v == View::wasted_pairs; }

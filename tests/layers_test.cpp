@@ -58,6 +58,14 @@ const Rule kRules[] = {
     {"renderer/gltf", kGl},
     {"renderer/gltf", kWindow},
     {"renderer/gltf", kUi},
+    {"renderer/truth", "renderer/gl/.*|renderer/passes/.*|renderer/study/.*|app/.*"},
+    {"renderer/truth", kGl},
+    {"renderer/truth", kWindow},
+    {"renderer/truth", kUi},
+    {"renderer/study", "renderer/gl/.*|renderer/passes/.*|app/.*"},
+    {"renderer/study", kGl},
+    {"renderer/study", kWindow},
+    {"renderer/study", kUi},
     {"renderer/scenes", "renderer/gl/.*|renderer/passes/.*|app/.*"},
     {"renderer/scenes", kGl},
     {"renderer/scenes", kWindow},
@@ -86,8 +94,8 @@ TEST(Layers, NoFileIncludesWhatIsAboveItsLayer) {
 }
 
 TEST(Layers, OwnHeadersAreNamedFromTheRoot) {
-  for (const char* folder : {"renderer", "renderer/gltf", "renderer/scenes", "renderer/gl", "renderer/passes", "ui",
-                             "app", "tests", "tests/fuzz"})
+  for (const char* folder : {"renderer", "renderer/gltf", "renderer/scenes", "renderer/truth", "renderer/study",
+                             "renderer/gl", "renderer/passes", "ui", "app", "tests", "tests/fuzz"})
     for (const fs::path& file : sources(folder))
       for (const std::string& name : includes_of(file)) {
         const bool ours_by_short_name = fs::exists(file.parent_path() / name) || name.rfind("..", 0) == 0;
@@ -96,9 +104,17 @@ TEST(Layers, OwnHeadersAreNamedFromTheRoot) {
 }
 
 TEST(Layers, EveryFolderWithSourcesIsJudged) {
-  const std::vector<std::string> known = {"renderer",    "renderer/gltf",   "renderer/scenes",
-                                          "renderer/gl", "renderer/passes", "ui",
-                                          "app",         "tests",           "tests/fuzz"};
+  const std::vector<std::string> known = {"renderer",
+                                          "renderer/gltf",
+                                          "renderer/scenes",
+                                          "renderer/truth",
+                                          "renderer/study",
+                                          "renderer/gl",
+                                          "renderer/passes",
+                                          "ui",
+                                          "app",
+                                          "tests",
+                                          "tests/fuzz"};
   for (const char* top : {"renderer", "ui", "app", "tests"})
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
       const fs::path e = entry.path().extension();

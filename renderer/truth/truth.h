@@ -1,0 +1,33 @@
+#pragma once
+// What a frame is judged by, and what is judged: plain pictures, rows top to bottom, no GL.
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace gbl {
+
+// What the reference found, in double. Every list has size.x * size.y members; where `present` is 0 no surface is
+// seen, `lit` is the background's radiance and the rest means nothing.
+struct Truth {
+  glm::ivec2 size{0};
+  std::vector<uint8_t> present;
+  std::vector<glm::dvec3> lit;                // linear radiance, unclamped: ambient + emission + light
+  std::vector<glm::dvec3> diffuse, specular;  // light sums; diffuse without albedo
+  std::vector<glm::dvec3> albedo;             // linear: base colour x (1 - metal)
+  std::vector<double> roughness;              // perceptual, 0..1
+  std::vector<glm::dvec3> normal;             // world, unit
+  std::vector<glm::dvec3> position;           // relative to the camera, world axes and units
+
+  size_t pixels() const { return static_cast<size_t>(size.x) * static_cast<size_t>(size.y); }
+  glm::dvec3 light(size_t i) const { return albedo[i] * diffuse[i] + specular[i]; }  // without ambient and emission
+};
+
+// What a set-up made of it, as read back from its float targets. An empty list: not stored, so not judged.
+struct Drawn {
+  std::vector<glm::vec3> lit;
+  std::vector<glm::vec3> unlit;     // lit of the same frame without any light: lit - unlit is the light alone
+  std::vector<glm::vec3> normal;    // decoded, world
+  std::vector<glm::vec3> position;  // decoded, relative to the camera
+};
+
+}  // namespace gbl
