@@ -5,7 +5,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
-#include "renderer/study_row.h"
+#include "renderer/study/study_row.h"
 
 namespace gbl {
 namespace {
@@ -59,7 +59,7 @@ ExitCode run_bench(const Arguments& a) {
   lab.draw(s);
   lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMostLitTests);
   lab.collect(true);
-  const Json row = study_row(lab.report(), timing, {lab.device().version, lab.device().renderer});
+  const Json row = study_row(lab.report(), {}, timing, {lab.device().version, lab.device().renderer});
   if (a.json)
     fmt::print("{}\n", row.dump(2));
   else

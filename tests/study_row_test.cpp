@@ -1,4 +1,4 @@
-#include "renderer/study_row.h"
+#include "renderer/study/study_row.h"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,8 @@ TEST(StudyRow, HasEveryErrorColumnAndNoneIsInvented) {
   Timing t;
   t.pass_ms = {{"lighting", {3, 1, 2}}};
   t.frames = 3;
-  const Json row = study_row(r, t, {"driver", "device"});
-  for (const Column& c : error_columns()) {
+  const Json row = study_row(r, {}, t, {"driver", "device"});
+  for (const ErrorColumn& c : error_columns()) {
     ASSERT_TRUE(row.contains(c.id)) << c.id;
     EXPECT_TRUE(row[c.id].is_null()) << c.id;
     EXPECT_GT(std::string(c.help).size(), 3u);

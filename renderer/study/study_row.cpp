@@ -1,4 +1,4 @@
-#include "renderer/study_row.h"
+#include "renderer/study/study_row.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,36 +9,15 @@
 namespace gbl {
 namespace {
 
-// clang-format off
-constexpr Column kErrors[] = {
-  {"over_1_255_display", "", "share of pixels whose largest channel is off by more than 1/255 as displayed"},
-  {"over_half_255_display", "", "the same for 0.5/255"},
-  {"over_1_255_linear", "", "the same for 1/255 of linear radiance"},
-  {"max_linear", "radiance", "largest difference of a channel"},
-  {"p99_linear", "radiance", "99th percentile of it"},
-  {"rmse_linear", "radiance", "root mean square"},
-  {"mae_linear", "radiance", "mean absolute difference"},
-  {"signed_mean_linear", "radiance", "mean difference: dark is negative"},
-  {"relmse_linear", "", "mean squared difference over squared radiance + 0.01"},
-  {"psnr_display", "dB", "peak signal-to-noise ratio as displayed"},
-  {"flip_mean", "", "mean perceptual difference (Andersson et al. 2020)"},
-  {"normal_deg_mean", "degrees", "angle to the true normal, mean"},
-  {"normal_deg_p50", "degrees", "median"},
-  {"normal_deg_p99", "degrees", "99th percentile"},
-  {"normal_deg_max", "degrees", "largest"},
-  {"position_mean", "units", "distance to the true point, mean"},
-  {"position_p99", "units", "99th percentile"},
-  {"position_max", "units", "largest"},
-  {"nonfinite_pixels", "", "pixels with NaN or infinity"},
-  {"lost_pixels", "", "pixels with less than half their light"},
-  {"doubled_pixels", "", "pixels with more than one and a half times their light"},
-  {"background_lit_pixels", "", "pixels without a surface that are lit"},
-};
-// clang-format on
-
 template <class T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
+}
+
+// JSON knows no infinity: a PSNR of equal pictures and the error of a picture that is not finite are written as text.
+Json number_or_null(const std::optional<double>& value) {
+  if (value && std::isinf(*value)) return *value > 0 ? "inf" : "-inf";
+  return or_null(value);
 }
 
 void append_times(Json& row, const Timing& timing) {
@@ -52,8 +31,6 @@ void append_times(Json& row, const Timing& timing) {
 }
 
 }  // namespace
-
-std::span<const Column> error_columns() { return kErrors; }
 
 TimeSpread spread_of(std::vector<double> ms) {
   std::sort(ms.begin(), ms.end());
@@ -69,9 +46,9 @@ bool measured_enough(int frames, double seconds, double slowest_s) {
   return seconds >= 20 && frames >= (slowest_s > 20 ? 1 : 3);
 }
 
-Json study_row(const FrameReport& r, const Timing& timing, const Machine& machine) {
+Json study_row(const FrameReport& r, const Errors& errors, const Timing& timing, const Machine& machine) {
   Json row;
-  for (const Column& c : kErrors) row[c.id] = nullptr;
+  for (const ErrorColumn& c : error_columns()) row[c.id] = number_or_null(errors.*c.value);
   append_times(row, timing);
   row["frames"] = timing.frames;
   row["time_source"] = r.time_source;

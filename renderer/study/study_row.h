@@ -8,17 +8,9 @@
 
 #include "renderer/frame_report.h"
 #include "renderer/options.h"
+#include "renderer/truth/measure.h"
 
 namespace gbl {
-
-struct Column {
-  const char* id;
-  const char* unit;  // "" = a share or a count
-  const char* help;
-};
-
-// What is measured against the reference; null until one is drawn.
-std::span<const Column> error_columns();
 
 // Times of repeated frames of one pass, milliseconds.
 struct TimeSpread {
@@ -36,8 +28,8 @@ struct Machine {
   std::string driver, device;
 };
 
-// All columns: errors (null), times, pairs, bytes, draw calls, machine, settings.
-Json study_row(const FrameReport&, const Timing&, const Machine&);
+// All columns: errors, times, pairs, bytes, draw calls, machine, settings. Null: not measured.
+Json study_row(const FrameReport&, const Errors&, const Timing&, const Machine&);
 
 // When is a row measured long enough? 20 frames or 20 s, at least 3 frames, 1 if one exceeds 20 s.
 bool measured_enough(int frames, double seconds, double slowest_s);
