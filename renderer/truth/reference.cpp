@@ -1,0 +1,101 @@
+#include "renderer/truth/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "renderer/lights.h"
+
+namespace gbl {
+
+std::vector<Light> true_lights(const Settings& s, const Scene& scene) {
+  Settings meant = s;
+  meant.mistakes.clear();
+  return lights_of(meant, scene);
+}
+
+glm::dvec3 background_radiance(const Settings& s, const glm::dvec3& direction) {
+  switch (s.background.fill) {
+    case BackgroundFill::black: return glm::dvec3(0);
+    case BackgroundFill::grey: return glm::dvec3(0.2);
+    case BackgroundFill::colour: return s.background.colour;
+    case BackgroundFill::sky: break;
+  }
+  // A clear day: horizon to zenith; below the horizon the ground's haze.
+  const double height = glm::normalize(direction).y;
+  if (height < 0)
+    return glm::mix(glm::dvec3(0.42, 0.45, 0.47), glm::dvec3(0.16, 0.15, 0.14), std::min(-4 * height, 1.0));
+  return glm::mix(glm::dvec3(0.62, 0.74, 0.86), glm::dvec3(0.10, 0.24, 0.55), std::pow(height, 0.6));
+}
+
+Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std::vector<SeenTexel> texels)
+    : settings_(s), scene_(std::move(scene)), texels_(std::move(texels)), geometry_(s, *scene_), model_(s) {
+  for (const Light& l : true_lights(s, *scene_)) lights_.push_back({l, l.position - s.camera.position});
+  truth_.size = s.size;
+  const size_t n = truth_.pixels();
+  truth_.present.resize(n);
+  truth_.roughness.resize(n);
+  for (auto* list : {&truth_.lit, &truth_.diffuse, &truth_.specular, &truth_.albedo, &truth_.normal, &truth_.position})
+    list->resize(n);
+  lit_pairs_of_row_.resize(static_cast<size_t>(s.size.y));
+}
+
+void Reference::work_pixel(glm::ivec2 pixel) {
+  const size_t i = static_cast<size_t>(pixel.y) * static_cast<size_t>(settings_.size.x) + static_cast<size_t>(pixel.x);
+  const Ray ray = pixel_ray(settings_.camera, settings_.size, pixel);
+  if (texels_[i].instance() < 0) {
+    truth_.lit[i] = background_radiance(settings_, ray.direction);
+    return;
+  }
+  const SurfaceAt at = geometry_.at(ray, texels_[i]);
+  const TruthSurface& s = at.surface;
+  Reflected sum;
+  uint64_t lit_pairs = 0;
+  for (const TruthLight& light : lights_) {
+    if (reaches(light, s.position)) ++lit_pairs;
+    const Reflected one = reflected(model_, s, light);
+    sum.diffuse += one.diffuse;
+    sum.specular += one.specular;
+  }
+  truth_.present[i] = 1;
+  truth_.diffuse[i] = sum.diffuse;
+  truth_.specular[i] = sum.specular;
+  truth_.albedo[i] = s.albedo;
+  truth_.roughness[i] = s.roughness;
+  truth_.normal[i] = s.normal;
+  truth_.position[i] = s.position;
+  truth_.lit[i] = settings_.ambient * at.ambient + at.emission + s.albedo * sum.diffuse + sum.specular;
+  lit_pairs_of_row_[static_cast<size_t>(pixel.y)] += lit_pairs;
+}
+
+void Reference::work_row(int y) {
+  lit_pairs_of_row_[static_cast<size_t>(y)] = 0;
+  for (int x = 0; x < settings_.size.x; ++x) work_pixel({x, y});
+}
+
+bool Reference::run(int threads, const std::atomic<bool>* cancel) {
+  const auto work = [&] {
+    while (!(cancel && *cancel)) {
+      const int y = next_row_++;
+      if (y >= settings_.size.y) return;
+      work_row(y);
+      ++rows_done_;
+    }
+  };
+  std::vector<std::thread> others;
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (std::thread& t : others) t.join();
+  return rows_done_ == settings_.size.y;
+}
+
+double Reference::progress() const { return double(rows_done_) / settings_.size.y; }
+
+uint64_t Reference::lit_pairs() const {
+  return std::accumulate(lit_pairs_of_row_.begin(), lit_pairs_of_row_.end(), uint64_t(0));
+}
+
+int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+}  // namespace gbl

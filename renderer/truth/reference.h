@@ -1,0 +1,52 @@
+#pragma once
+// The truth: the seen triangle, then everything anew on the CPU in double, every light by brute force in light order.
+// No light lists: they would share the failure that is judged. It depends on the truth part of Settings and on nothing
+// else; mistakes are never true.
+#include <atomic>
+#include <memory>
+
+#include "renderer/truth/truth.h"
+#include "renderer/truth/truth_geometry.h"
+
+namespace gbl {
+
+// The lights as they are meant: lights_of() without any mistake.
+std::vector<Light> true_lights(const Settings&, const Scene&);
+
+// Radiance where no surface is seen along this direction.
+glm::dvec3 background_radiance(const Settings&, const glm::dvec3& direction);
+
+class Reference {
+ public:
+  // texels: size.x * size.y of the settings, rows top to bottom.
+  Reference(const Settings&, std::shared_ptr<const Scene>, std::vector<SeenTexel> texels);
+
+  // Works on the rows that are not done yet. False if it was cancelled; it can be called again to go on. The result
+  // does not depend on the number of threads.
+  bool run(int threads, const std::atomic<bool>* cancel = nullptr);
+  double progress() const;  // 0..1; may be asked while run() works
+
+  const Settings& settings() const { return settings_; }
+  const Truth& truth() const { return truth_; }  // complete when progress() is 1
+  // (pixel, light) pairs in which the light reaches the surface, whatever it faces.
+  uint64_t lit_pairs() const;
+
+ private:
+  void work_row(int y);
+  void work_pixel(glm::ivec2 pixel);
+
+  Settings settings_;
+  std::shared_ptr<const Scene> scene_;
+  std::vector<SeenTexel> texels_;
+  TruthGeometry geometry_;
+  ShadingModelOf model_;
+  std::vector<TruthLight> lights_;
+  Truth truth_;
+  std::vector<uint64_t> lit_pairs_of_row_;
+  std::atomic<int> next_row_{0}, rows_done_{0};
+};
+
+// Threads to use when nothing else is to be kept running.
+int all_processors();
+
+}  // namespace gbl

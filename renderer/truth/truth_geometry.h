@@ -1,0 +1,57 @@
+#pragma once
+// From "this triangle is seen through this pixel" to a surface point, in double.
+#include "renderer/truth/truth_shading.h"
+
+namespace gbl {
+
+// What the GPU says of one pixel: which triangle is seen, and what its textures hold there. Sampling is taken as it
+// is, so that no layout is blamed for it. Each is one texel of a float picture.
+struct SeenTexel {
+  glm::vec4 seen{0};      // instance from 1 (0: no surface), triangle of its mesh from 0, roughness and metal texels
+  glm::vec4 base{1};      // base colour texel, linear (as-tutorial: the code), and its alpha
+  glm::vec4 normal{0};    // normal map's texel, 0..1, and the occlusion texel
+  glm::vec4 emission{0};  // emission texel
+
+  int instance() const { return static_cast<int>(seen.x) - 1; }
+  int triangle() const { return static_cast<int>(seen.y); }
+};
+
+// A line of sight: origin relative to the camera, direction not normalised.
+struct Ray {
+  glm::dvec3 origin{0}, direction{0, 0, -1};
+};
+// Through the centre of a pixel (origin top left).
+Ray pixel_ray(const Camera&, glm::ivec2 size, glm::ivec2 pixel);
+
+// Weights of a triangle's corners where the ray meets its plane; a point beside the triangle is moved to its border
+// (the rasteriser snaps corners to 1/256 of a pixel, so a pixel may see a triangle that its ray just misses).
+glm::dvec3 barycentrics(const Ray&, const glm::dvec3 (&corners)[3]);
+
+struct SurfaceAt {
+  TruthSurface surface;
+  glm::dvec3 ambient{0};   // share of ambient light that is sent back
+  glm::dvec3 emission{0};  // radiance
+};
+
+class TruthGeometry {
+ public:
+  TruthGeometry(const Settings&, const Scene&);
+  SurfaceAt at(const Ray&, const SeenTexel&) const;
+
+ private:
+  // Of an instance, made once: everything relative to the camera.
+  struct Placed {
+    glm::dmat4 relative_from_object{1};
+    glm::dmat3 normals{1};
+    bool mirrored = false;
+  };
+  glm::dvec3 shading_normal(const Placed&, const Material&, const Vertex* const (&corners)[3],
+                            const glm::dvec3& weights, bool front, const glm::vec4& texel) const;
+
+  const Settings settings_;
+  const Scene& scene_;
+  const ShadingModelOf model_;
+  std::vector<Placed> placed_;
+};
+
+}  // namespace gbl
