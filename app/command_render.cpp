@@ -88,7 +88,7 @@ ui::Sheet sheet_of(Lab& lab, const std::vector<View>& views_shown) {
   sheet.title = "G-Buffer Lab";
   sheet.caption = in_words(lab.drawn(), lab.report());
   for (const View v : views_shown) {
-    lab.draw_view(v, {.overlays = v == View::final});
+    if (!needs_truth(v)) lab.draw_view(v, {.overlays = v == View::final});
     sheet.tiles.push_back({v, lab.handle_of(v), ""});
   }
   return sheet;
@@ -120,9 +120,12 @@ ExitCode run_render(const Arguments& a) {
   const std::string state = to_json(s).dump(2) + "\n";
   Writer writer(folder, {{kSettingsKey, state}});
   for (const View v : shown) {
-    lab.draw_view(v);
+    if (needs_truth(v))
+      lab.draw_truth_view(v, true);
+    else
+      lab.draw_view(v);
     writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v));
-    if (!a.raw) continue;
+    if (!a.raw || needs_truth(v)) continue;
     lab.draw_view(v, {.raw = true});
     writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v));
   }

@@ -4,14 +4,16 @@
 
 namespace gbl {
 
-Lab::Lab(FeatureSet without) : device_(gl::probe_device(without)), cost_(device_.software) {}
+Lab::Lab(FeatureSet without)
+    : device_(gl::probe_device(without)), cost_(device_.software), truths_(1, std::max(1, all_processors() - 1)) {}
 
 void Lab::open(const std::string& name) {
   if (name != scene_name_) show(name, open_scene(name));
 }
 
 void Lab::show(const std::string& name, std::shared_ptr<const Scene> scene) {
-  gpu_scene_ = std::make_unique<GpuScene>(std::move(scene));
+  gpu_scene_ = std::make_shared<GpuScene>(std::move(scene));
+  truths_.forget();
   scene_name_ = name;
 }
 
@@ -35,6 +37,28 @@ void Lab::draw(const Settings& s) {
 
 void Lab::draw_view(View view, ViewOptions options) {
   renderer_.draw_view(view, drawn_, *gpu_scene_, targets_, options);
+}
+
+bool Lab::draw_truth_view(View view, bool wait) {
+  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, *gpu_scene_, drawn_, wait);
+  if (!truth) return false;
+  const TruthTextures& textures = truth->textures;
+  if (view == View::error) {
+    renderer_.draw_errors(drawn_, *gpu_scene_, targets_, textures);
+    if (wait) return take_error_stats(true);
+  }
+  const double range = error_stats_ ? error_stats_->range : 1;  // of the frame before, until this one's answer is here
+  renderer_.draw_view(view, drawn_, *gpu_scene_, targets_, {.truth = &textures, .error_range = range});
+  return true;
+}
+
+bool Lab::take_error_stats(bool wait) {
+  const std::vector<float>* errors = targets_.error_read.take(wait);
+  if (!errors) return false;
+  const Settings::View::Error& e = drawn_.view.error;
+  error_stats_ = gbl::error_stats(e.of, drawn_.size, *errors, e.range);
+  renderer_.draw_view(View::error, drawn_, *gpu_scene_, targets_, {.error_range = error_stats_->range});
+  return true;
 }
 
 void Lab::collect(bool wait) {

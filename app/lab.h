@@ -4,10 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "app/truth_keeper.h"
 #include "renderer/estimate.h"
 #include "renderer/gl/device.h"
 #include "renderer/image.h"
 #include "renderer/passes/frame.h"
+#include "renderer/study/study_row.h"
+#include "renderer/truth/error_stats.h"
 #include "renderer/validate.h"
 #include "ui/ui.h"
 
@@ -23,6 +26,9 @@ class Lab {
   DeviceLimits limits() const { return {device_.features, device_.max_size, device_.max_draw_buffers}; }
   const gl::Device& device() const { return device_; }
   const Scene& scene() const { return gpu_scene_->scene(); }
+  std::shared_ptr<const GpuScene> gpu_scene() const { return gpu_scene_; }
+  Renderer& renderer() { return renderer_; }
+  Machine machine() const { return {device_.version, device_.renderer}; }
   std::vector<std::string> warnings() const { return gpu_scene_ ? scene().warnings : std::vector<std::string>(); }
   FrameCost& cost() { return cost_; }
 
@@ -36,6 +42,13 @@ class Lab {
   void count_pairs(bool lit_too) { renderer_.count_pairs(drawn_, *gpu_scene_, targets_, lit_too); }
   void start_probe(glm::ivec2 pixel);
   std::optional<ui::PixelProbe> take_probe();
+  // The views `reference` and `error` of the frame just drawn. False while the reference is being made.
+  bool draw_truth_view(View, bool wait);
+  double truth_progress() const { return truths_.progress(); }  // 0..1
+  void stop_truth() { truths_.stop(); }
+  const std::optional<ErrorStats>& error_stats() const { return error_stats_; }  // of the error view drawn last
+  bool take_error_stats(
+      bool wait = false);  // an answer of the error view has arrived: its colours are drawn with its range
   void collect(bool wait);
   void reload_shaders() { renderer_.reload_shaders(); }
 
@@ -52,11 +65,13 @@ class Lab {
   FrameCost cost_;
   Renderer renderer_;
   std::string scene_name_;
-  std::unique_ptr<GpuScene> gpu_scene_;
+  std::shared_ptr<const GpuScene> gpu_scene_;
   Targets targets_;
   Settings drawn_;
   FrameReport report_;
   glm::ivec2 probed_pixel_{0};
+  TruthKeeper truths_;
+  std::optional<ErrorStats> error_stats_;
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

@@ -135,14 +135,6 @@ Stores stored(View v) {
   return Stores::lit;
 }
 
-// The smallest number >= x whose quarters are round too: a bar has labels at 0, 1/4, 1/2, 3/4 and 1.
-double round_up(double x) {
-  const double decade = std::pow(10, std::floor(std::log10(x)));
-  for (const double step : {1.0, 1.2, 1.6, 2.0, 2.4, 3.2, 4.0, 6.0, 8.0})
-    if (step * decade >= x) return step * decade;
-  return 10 * decade;
-}
-
 glm::vec3 grey(double g) { return glm::vec3(static_cast<float>(g)); }
 
 constexpr int kBarSteps = 4;
@@ -222,6 +214,13 @@ const glm::vec3 kLightCountPalette[kLightCountColours] = {
     {0.30f, 0.68f, 0.25f}, {0.98f, 0.76f, 0.15f}, {1.00f, 1.00f, 1.00f},
 };
 
+double round_for_bar(double x) {
+  const double decade = std::pow(10, std::floor(std::log10(x)));
+  for (const double step : {1.0, 1.2, 1.6, 2.0, 2.4, 3.2, 4.0, 6.0, 8.0})
+    if (step * decade >= x) return step * decade;
+  return 10 * decade;
+}
+
 std::span<const ViewRow> views() { return kViews; }
 
 const ViewRow& row(View v) { return kViews[static_cast<size_t>(v)]; }
@@ -277,7 +276,7 @@ glm::dvec2 depth_view_range(const Camera& camera, const Bounds& bounds) {
                        corner & 4 ? bounds.max.z : bounds.min.z);
     farthest = std::max(farthest, glm::dot(p - camera.position, camera.forward()));
   }
-  return {0, std::min(round_up(farthest), camera.far)};
+  return {0, std::min(round_for_bar(farthest), camera.far)};
 }
 
 Legend legend(View v, const Settings& s, const Bounds& bounds) {

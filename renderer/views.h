@@ -66,6 +66,9 @@ std::string stored_as(View, const Settings&);
 // The world-unit interval that the depth view spans: 0 to the farthest corner of the scene, at most far.
 glm::dvec2 depth_view_range(const Camera&, const Bounds&);
 
+// The smallest number >= x > 0 whose quarters are round too: a bar has labels at 0, 1/4, 1/2, 3/4 and 1.
+double round_for_bar(double x);
+
 // World units in which the position view's colours repeat: a power of ten, some 10 to 100 of them over the scene.
 double position_cycle(const Bounds&);
 

@@ -20,6 +20,9 @@ out vec2 uv1;
 out vec4 colour;
 flat out uint object_id;
 flat out mat3 object_axes;
+#if TRIANGLE_IDS
+flat out uint triangle;  // of the mesh, from 0: its corners are drawn without sharing
+#endif
 // Passes of other programs test for this very depth.
 invariant gl_Position;
 
@@ -47,4 +50,7 @@ void main() {
   colour = colour_in;
   object_id = uint(instance_texel(8).w);
   object_axes = normals;
+#if TRIANGLE_IDS
+  triangle = uint(gl_VertexID) / 3u;
+#endif
 }

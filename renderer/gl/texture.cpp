@@ -145,6 +145,12 @@ void state_pixel_storage() {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
+void write_texels(const Texture& t, const void* rgba32f) {
+  glBindTexture(GL_TEXTURE_2D, t.id());
+  state_pixel_storage();
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, t.size.x, t.size.y, GL_RGBA, GL_FLOAT, rgba32f);
+}
+
 void bind_texture(int unit, const Texture& t) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glBindTexture(GL_TEXTURE_2D, t.id());

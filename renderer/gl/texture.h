@@ -58,6 +58,9 @@ Renderbuffer make_samples(glm::ivec2 size, Format, int samples);
 Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colours, const Renderbuffer& depth,
                                     bool stencil, std::string_view label);
 
+// All texels from memory: rows bottom to top, four floats each, into a float format.
+void write_texels(const Texture&, const void* rgba32f);
+
 void bind_texture(int unit, const Texture&);
 
 // Before texels are taken from or put into memory: rows without gaps, and memory is memory, not a buffer object.

@@ -85,6 +85,7 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   });
   targets.count_read.drop();  // an answer still under way is the last frame's, not this one's
   targets.probe_read.drop();
+  targets.error_read.drop();
   targets.timers.next_frame();
   const Frame frame = frame_of(s, scene, targets);
   upload_lights(frame);

@@ -31,9 +31,13 @@ struct Frame {
   gl::Defines shaded_defines() const;   // of those that shade objects as they draw them
 };
 
+struct TruthTextures;
+
 struct ViewOptions {
-  bool raw = false;       // stored codes, undecoded
-  bool overlays = false;  // wires of light volumes as settings.view.volumes says
+  bool raw = false;                      // stored codes, undecoded
+  bool overlays = false;                 // wires of light volumes as settings.view.volumes says
+  const TruthTextures* truth = nullptr;  // of the views that need it
+  double error_range = 1;                // where the error's colour bar ends
 };
 
 // One pixel's values in a row of texels; their meaning stands in shaders/probe.frag.
@@ -49,6 +53,14 @@ class Renderer {
   void draw_view(View, const Settings&, const GpuScene&, Targets&, ViewOptions = {});
   void count_pairs(const Settings&, const GpuScene&, Targets&, bool lit_too);
   void start_probe(const Settings&, const GpuScene&, Targets&, glm::ivec2 pixel);  // pixel: origin top left
+
+  // For the reference and the measures (renderer/passes/judging.h):
+  // which triangle each pixel sees and its texels, into four float targets; of any settings, drawn or not
+  void draw_seen(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
+  // normal and position as the lighting decodes them
+  void draw_decoded(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
+  // how far the frame is from the truth, into targets.errors(), and begins to read it back
+  void draw_errors(const Settings&, const GpuScene&, Targets&, const TruthTextures&);
 
   // What has arrived since: times and pair counts into the report. `wait` blocks until all of it has.
   void collect(Targets&, FrameReport&, bool wait);

@@ -6,19 +6,38 @@
 namespace gbl {
 namespace {
 
+gl::VertexArray vertex_array(const gl::Buffer& vertices, const gl::Buffer* indices) {
+  return gl::make_vertex_array(vertices, sizeof(Vertex),
+                               {{0, 3, offsetof(Vertex, position)},
+                                {1, 3, offsetof(Vertex, normal)},
+                                {2, 4, offsetof(Vertex, tangent)},
+                                {3, 2, offsetof(Vertex, uv)},
+                                {4, 2, offsetof(Vertex, uv1)},
+                                {5, 4, offsetof(Vertex, colour)}},
+                               indices);
+}
+
+gl::Buffer upload_vertices(const std::vector<Vertex>& vertices, const std::string& name) {
+  return gl::make_buffer(GL_ARRAY_BUFFER, vertices.data(), vertices.size() * sizeof(Vertex), name);
+}
+
 GpuScene::GpuMesh upload(const Mesh& mesh) {
   GpuScene::GpuMesh m;
-  m.vertices = gl::make_buffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex), mesh.name);
+  m.vertices = upload_vertices(mesh.vertices, mesh.name);
   m.indices = gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(), mesh.indices.size() * 4, mesh.name);
-  m.vertex_array = gl::make_vertex_array(m.vertices, sizeof(Vertex),
-                                         {{0, 3, offsetof(Vertex, position)},
-                                          {1, 3, offsetof(Vertex, normal)},
-                                          {2, 4, offsetof(Vertex, tangent)},
-                                          {3, 2, offsetof(Vertex, uv)},
-                                          {4, 2, offsetof(Vertex, uv1)},
-                                          {5, 4, offsetof(Vertex, colour)}},
-                                         &m.indices);
+  m.vertex_array = vertex_array(m.vertices, &m.indices);
   m.index_count = static_cast<GLsizei>(mesh.indices.size());
+  return m;
+}
+
+GpuScene::GpuMesh upload_unshared(const Mesh& mesh) {
+  std::vector<Vertex> corners;
+  corners.reserve(mesh.indices.size());
+  for (const uint32_t i : mesh.indices) corners.push_back(mesh.vertices[i]);
+  GpuScene::GpuMesh m;
+  m.vertices = upload_vertices(corners, mesh.name);
+  m.vertex_array = vertex_array(m.vertices, nullptr);
+  m.index_count = static_cast<GLsizei>(corners.size());
   return m;
 }
 
@@ -61,6 +80,13 @@ GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
   flat_normal_ = gl::make_image({.rgba = flat, .label = "flat normal"});
   srgb_.resize(scene_->textures.size());
   linear_.resize(scene_->textures.size());
+  unshared_.resize(scene_->meshes.size());
+}
+
+const GpuScene::GpuMesh& GpuScene::unshared_mesh(int i) const {
+  const auto k = static_cast<size_t>(i);
+  if (!unshared_[k].vertices) unshared_[k] = upload_unshared(scene_->meshes[k]);
+  return unshared_[k];
 }
 
 const gl::Texture& GpuScene::uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const {

@@ -14,6 +14,7 @@ class GpuScene {
  public:
   explicit GpuScene(std::shared_ptr<const Scene> scene);
   const Scene& scene() const { return *scene_; }
+  std::shared_ptr<const Scene> shared_scene() const { return scene_; }  // for work on other threads
 
   struct GpuMesh {
     gl::Buffer vertices, indices;
@@ -21,6 +22,9 @@ class GpuScene {
     GLsizei index_count = 0;
   };
   const GpuMesh& mesh(int i) const { return meshes_[i]; }
+  // The same triangles without shared corners and without indices, so that gl_VertexID / 3 is the triangle's number
+  // on every device; made at first use.
+  const GpuMesh& unshared_mesh(int i) const;
 
   // Instances that share mesh, material and winding: one draw.
   struct Batch {
@@ -40,6 +44,7 @@ class GpuScene {
 
   std::shared_ptr<const Scene> scene_;
   std::vector<GpuMesh> meshes_;
+  mutable std::vector<GpuMesh> unshared_;
   std::vector<Batch> batches_;
   gl::Texture white_, flat_normal_;
   mutable std::vector<gl::Texture> srgb_, linear_;  // made at first use: a scene may need only one of the two

@@ -131,7 +131,8 @@ std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
 }
 
 int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment,
-                 const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms) {
+                 const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms,
+                 Corners corners) {
   if (draws.empty()) return 0;
   gl::bind_texture(kInstanceUnit, frame.targets.instance_data);
   for (const ObjectDraw& draw : draws) {
@@ -139,7 +140,9 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     gl::Defines all = defines;
     for (gl::Define& d : material_defines(frame.settings, material)) all.push_back(std::move(d));
     const gl::Program& program = frame.programs.get("object.vert", fragment, all);
-    const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
+    const bool numbered = corners == Corners::numbered;
+    const int index = draw.batch->mesh;
+    const GpuScene::GpuMesh& mesh = numbered ? frame.scene.unshared_mesh(index) : frame.scene.mesh(index);
     glUseProgram(program.id());
     bind_material(frame, program, material);
     if (set_uniforms) set_uniforms(program);
@@ -147,7 +150,10 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     gl::apply_cull(material.double_sided ? gl::Cull::off : gl::Cull::back);
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
     glBindVertexArray(mesh.vertex_array.id());
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
+    if (numbered)
+      glDrawArraysInstanced(GL_TRIANGLES, 0, mesh.index_count, draw.count);
+    else
+      glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
   }
   return static_cast<int>(draws.size());
 }

@@ -17,9 +17,12 @@ struct ObjectDraw {
 // Transparent: one draw per instance, farthest first.
 std::vector<ObjectDraw> prepare_objects(const Frame&, bool transparent);
 
+// How corners reach the vertex shader: shared by indices, or one by one, which numbers the triangles (TRIANGLE_IDS).
+enum class Corners { shared, numbered };
+
 // Draw with the given fragment shader; defines of the material are added; `set_uniforms` sets what else the shader
 // reads. -> draw calls
 int draw_objects(const Frame&, const std::vector<ObjectDraw>&, const char* fragment, const gl::Defines&,
-                 const std::function<void(const gl::Program&)>& set_uniforms = {});
+                 const std::function<void(const gl::Program&)>& set_uniforms = {}, Corners = Corners::shared);
 
 }  // namespace gbl

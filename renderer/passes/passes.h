@@ -36,7 +36,8 @@ int draw_materials_over_light(const Frame&);
 int draw_transparent(const Frame&);
 int draw_edge_blur(const Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);
-void draw_ids(const Frame&);                    // into targets.ids(), once per frame drawn
-void draw_outline(const Frame&, Canvas& into);  // of settings.view.object
+void draw_ids(const Frame&);                                                 // into targets.ids(), once per frame drawn
+void draw_outline(const Frame&, Canvas& into);                               // of settings.view.object
+void draw_truth_view(const Frame&, View, const ViewOptions&, Canvas& into);  // of reference and error
 
 }  // namespace gbl

@@ -39,19 +39,15 @@ constexpr SamplerUnit kSamplers[] = {
     {"gbuffer_shininess", kShininessUnit},
     {"gbuffer_position", kPositionUnit},
     {"ids", kIdUnit},
+    {"truth_lit", kTruthUnit},
+    {"truth_value", kTruthValueUnit},
+    {"errors", kErrorUnit},
 };
 
 std::string constant_name(const char* prefix, const char* id) {
   std::string name = prefix;
   for (const char* c = id; *c; ++c) name += *c == '-' ? '_' : static_cast<char>(std::toupper(*c));
   return name;
-}
-
-// LAYOUT = the chosen value, and LAYOUT_NCLGL, LAYOUT_FLOAT32, … = each row's value.
-template <class E>
-void append_axis(gl::Defines& out, const char* name, const char* prefix, E chosen_value) {
-  out.push_back({name, static_cast<int>(chosen_value)});
-  for (const ValueRow& r : rows<E>()) out.push_back({constant_name(prefix, r.id), r.value});
 }
 
 constexpr const char* kStoresNames[] = {
@@ -88,6 +84,12 @@ void append_common(gl::Defines& out) {
 }
 
 }  // namespace
+
+void append_choice(gl::Defines& out, const char* name, const char* prefix, std::span<const ValueRow> table,
+                   int chosen) {
+  out.push_back({name, chosen});
+  for (const ValueRow& r : table) out.push_back({constant_name(prefix, r.id), r.value});
+}
 
 gl::Defines gbuffer_defines(const Settings& s) {
   gl::Defines out;

@@ -35,8 +35,18 @@ enum Unit {
   kRoughnessUnit,
   kEmissiveUnit,
   kOcclusionUnit,
-  kLightListUnit
+  kLightListUnit,
+  kTruthUnit,
+  kTruthValueUnit,
+  kErrorUnit
 };
+
+// LAYOUT = the chosen value, and LAYOUT_NCLGL, LAYOUT_FLOAT32, … = each row's value.
+void append_choice(gl::Defines&, const char* name, const char* prefix, std::span<const ValueRow>, int chosen);
+template <class E>
+void append_axis(gl::Defines& out, const char* name, const char* prefix, E chosen) {
+  append_choice(out, name, prefix, rows<E>(), static_cast<int>(chosen));
+}
 
 // Defines that name the choices a shader depends on; each shader asks only for those it reads.
 gl::Defines gbuffer_defines(const Settings&);  // what is stored and how, colour, shading

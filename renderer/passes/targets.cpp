@@ -116,7 +116,7 @@ void Targets::prepare(const Settings& s) {
   shading_ = shading;
   if (size_ != s.size) {
     for (auto& v : views_) v.reset();
-    for (auto* c : {&counts_lit_, &count_sums_, &unblurred_}) c->reset();
+    for (auto* c : {&counts_lit_, &count_sums_, &unblurred_, &errors_}) c->reset();
   }
   size_ = s.size;
   attachments_ = std::move(wanted);
@@ -135,10 +135,6 @@ const gl::Framebuffer& Targets::framebuffer(Pass pass) const { return framebuffe
 double Targets::mib() const {
   double sum = 0;
   for (const gl::Texture& t : textures_) sum += mib_of(t);
-  for (const auto& v : views_)
-    if (v) sum += mib_of(v->texture);
-  for (const auto* c : {&composed_, &counts_, &counts_lit_, &count_sums_, &unblurred_, &ids_})
-    if (*c) sum += mib_of((*c)->texture);
   return sum;
 }
 
@@ -183,6 +179,7 @@ Canvas& Targets::count_sums() {
   return made(count_sums_,
               {.size = (size_ + COUNT_BLOCK - 1) / COUNT_BLOCK, .format = Format::rgba32f, .label = "counts.sums"});
 }
+Canvas& Targets::errors() { return made(errors_, {.size = size_, .format = Format::rgba32f, .label = "errors"}); }
 Canvas& Targets::probe() {
   return made(probe_, {.size = {PROBE_FIELDS, 1}, .format = Format::rgba32f, .label = "probe"});
 }

@@ -35,7 +35,7 @@ class Targets {
   const gl::Framebuffer& geometry_framebuffer() const;
   void resolve_samples() const;
   const std::vector<Attachment>& attachments() const { return attachments_; }
-  double mib() const;  // of all textures held
+  double mib() const;  // of the frame: what is made only to look at it or to judge it is left out
 
   Canvas& view(View);                    // RGBA8, made at first use
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
@@ -48,10 +48,11 @@ class Targets {
   Canvas& ids();         // R32UI with the frame's depth: number of the object, from 1
   Canvas& count_sums();  // the reduction
   Canvas& probe();
+  Canvas& errors();  // RGBA32F: signed error, -, -, 1 where a surface is
 
   // Frame-to-frame state that is not a picture.
   gl::PassTimers timers;
-  gl::AsyncRead count_read, probe_read;
+  gl::AsyncRead count_read, probe_read, error_read;
   gl::Texture light_data;
   gl::Texture light_lists;  // of the clustered method
   gl::Texture instance_data;
@@ -73,7 +74,7 @@ class Targets {
   std::vector<gl::Texture> textures_;            // beside attachments_
   std::array<gl::Framebuffer, 3> framebuffers_;  // geometry, lighting, combine
   std::array<std::optional<Canvas>, kViewCount> views_;
-  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_;
+  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_;
   gl::Texture counts_depth_, composed_depth_;
   gl::Framebuffer counts_with_depth_;
   struct Samples {

@@ -48,6 +48,7 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
   if (counted(view) && !targets.counts_valid) count_pairs(s, scene, targets, false);
   const Frame frame = frame_of(s, scene, targets);
+  if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.view(view));
   gl::Defines defines = frame.defines();
   defines.push_back({"SPLIT", frame.split()});
   defines.push_back({"VIEW", static_cast<int>(view)});

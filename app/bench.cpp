@@ -1,0 +1,93 @@
+#include "app/bench.h"
+
+#include <chrono>
+
+#include "app/lab.h"
+
+namespace gbl {
+namespace {
+
+constexpr double kCountOnlyMs = 60000;  // a frame predicted longer than this is counted, not timed
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+Display display_of(const Settings& s) { return {s.exposure, s.colour}; }
+
+}  // namespace
+
+void Bench::start(const Settings& s, std::shared_ptr<const GpuScene> scene, BenchWishes wishes) {
+  stop();
+  if (scene_ != scene) truths_.forget();
+  settings_ = s, scene_ = std::move(scene), wishes_ = wishes;
+  truth_.reset();
+  timing_ = {}, errors_ = {}, report_ = {}, drawn_ = {};
+  if (cost_.predict_ms(s, lights_of(s, scene_->scene())) > kCountOnlyMs) wishes_.times = false;
+  phase_ = wishes_.errors ? Phase::truth : wishes_.times ? Phase::warm_up : Phase::judge;
+}
+
+void Bench::stop() {
+  truths_.stop();
+  phase_ = Phase::done;
+}
+
+bool Bench::step(bool wait) {
+  do switch (phase_) {
+      case Phase::truth:
+        truth_ = truths_.get(renderer_, *scene_, settings_, wait);
+        if (truth_) phase_ = wishes_.times ? Phase::warm_up : Phase::judge;
+        break;
+      case Phase::warm_up:  // programs are compiled, targets made
+        report_ = renderer_.render(settings_, *scene_, targets_);
+        renderer_.collect(targets_, report_, true);
+        begun_s_ = now_s(), slowest_s_ = 0;
+        phase_ = Phase::times;
+        break;
+      case Phase::times:
+        time_a_frame();
+        if (measured_enough(timing_.frames, now_s() - begun_s_, slowest_s_)) phase_ = Phase::judge;
+        break;
+      case Phase::judge:
+        judge();
+        phase_ = Phase::done;
+        break;
+      case Phase::done: return true;
+    }
+  while (wait && phase_ != Phase::done);
+  return phase_ == Phase::done;
+}
+
+void Bench::time_a_frame() {
+  glFinish();  // what a window has asked for in between is not this frame's work
+  const double begin = now_s();
+  report_ = renderer_.render(settings_, *scene_, targets_);
+  renderer_.collect(targets_, report_, true);
+  slowest_s_ = std::max(slowest_s_, now_s() - begin);
+  ++timing_.frames;
+  double total = 0;
+  for (const PassTime& p : report_.passes) {
+    if (!p.ms) continue;
+    timing_.pass_ms[p.pass].push_back(*p.ms);
+    total += *p.ms;
+  }
+  timing_.pass_ms["total"].push_back(total);
+}
+
+void Bench::judge() {
+  report_ = renderer_.render(settings_, *scene_, targets_);
+  // The reference has counted the pairs that are lit; without one the GPU does.
+  const bool count_lit = !truth_ && double(settings_.size.x) * settings_.size.y * report_.light_count <= kMostLitTests;
+  renderer_.count_pairs(settings_, *scene_, targets_, count_lit);
+  renderer_.collect(targets_, report_, true);
+  if (!truth_) return;
+  if (report_.pairs) report_.pairs->lit = truth_->lit_pairs;
+  drawn_ = read_drawn(renderer_, report_.drawn, *scene_, targets_, true);
+  errors_ = measure(truth_->truth, drawn_, display_of(settings_));
+}
+
+Json Bench::row() const { return study_row(report_, errors_, timing_, machine_); }
+
+BoundCheck Bench::bound(double display_difference) const {
+  return check_bound(truth_->truth, drawn_.lit, truth_->witness_lit, display_of(settings_), display_difference);
+}
+
+}  // namespace gbl

@@ -1,0 +1,57 @@
+#pragma once
+// A set-up measured as a row of a study: errors against the reference, then times of repeated frames, then counts.
+// In steps of a frame or less, with targets of its own, so that a window can go on drawing in between.
+#include "app/truth_keeper.h"
+#include "renderer/estimate.h"
+#include "renderer/study/study_row.h"
+
+namespace gbl {
+
+struct BenchWishes {
+  bool errors = true;
+  bool times = true;
+};
+
+class Bench {
+ public:
+  // kept_truths: how many references are held for the next rows.
+  Bench(Renderer& renderer, const FrameCost& cost, Machine machine, size_t kept_truths)
+      : renderer_(renderer), cost_(cost), machine_(std::move(machine)), truths_(kept_truths, all_processors()) {}
+
+  // Begins a row. The settings must be valid on this device; the scene is the one that they name.
+  void start(const Settings&, std::shared_ptr<const GpuScene>, BenchWishes);
+  // Does the next piece of work. True when the row is complete; `wait`: as much as it takes.
+  bool step(bool wait);
+  bool running() const { return phase_ != Phase::done; }
+  void stop();  // gives the row up
+
+  // Of the row that is complete.
+  Json row() const;
+  const Errors& errors() const { return errors_; }
+  const FrameReport& report() const { return report_; }
+  // The bound of renderer/truth/measure.h, of the frame measured last (needs errors).
+  BoundCheck bound(double display_difference) const;
+
+ private:
+  enum class Phase { truth, warm_up, times, judge, done };
+  void time_a_frame();
+  void judge();
+
+  Renderer& renderer_;
+  const FrameCost& cost_;
+  Machine machine_;
+  TruthKeeper truths_;
+  Targets targets_;
+  Settings settings_;
+  std::shared_ptr<const GpuScene> scene_;
+  BenchWishes wishes_;
+  Phase phase_ = Phase::done;
+  std::shared_ptr<const TruthSet> truth_;
+  Timing timing_;
+  double begun_s_ = 0, slowest_s_ = 0;
+  FrameReport report_;
+  Errors errors_;
+  Drawn drawn_;
+};
+
+}  // namespace gbl

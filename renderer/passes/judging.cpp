@@ -1,0 +1,170 @@
+#include "renderer/passes/judging.h"
+
+#include "renderer/gl/device.h"
+
+namespace gbl {
+namespace {
+
+// GL's rows run bottom to top, pictures' top to bottom.
+template <class Texel>
+std::vector<Texel> rows_from_top(glm::ivec2 size, const std::vector<float>& rgba) {
+  std::vector<Texel> out(rgba.size() / 4);
+  const auto width = static_cast<size_t>(size.x), height = static_cast<size_t>(size.y);
+  for (size_t y = 0; y < height; ++y)
+    for (size_t x = 0; x < width; ++x) {
+      const float* from = &rgba[4 * ((height - 1 - y) * width + x)];
+      Texel& to = out[y * width + x];
+      for (int k = 0; k < to.length(); ++k) to[k] = from[k];
+    }
+  return out;
+}
+
+// A picture of doubles as a texture: colour(i) and alpha(i) of pixel i, rows top to bottom.
+template <class Colour, class Alpha>
+gl::Texture uploaded(glm::ivec2 size, const char* label, Colour colour, Alpha alpha) {
+  const auto width = static_cast<size_t>(size.x), height = static_cast<size_t>(size.y);
+  std::vector<glm::vec4> texels(width * height);
+  for (size_t y = 0; y < height; ++y)
+    for (size_t x = 0; x < width; ++x) {
+      const size_t i = (height - 1 - y) * width + x;
+      texels[y * width + x] = glm::vec4(glm::vec3(colour(i)), static_cast<float>(alpha(i)));
+    }
+  gl::Texture t = gl::make_texture({.size = size, .format = Format::rgba32f, .label = label});
+  gl::write_texels(t, texels.data());
+  return t;
+}
+
+constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.normal", "seen.emission"};
+
+std::vector<glm::vec3> read_lit(const Targets& t) {
+  return rows_from_top<glm::vec3>(t.size(), gl::read_rgba32f(*t.texture(Stores::lit)));
+}
+
+}  // namespace
+
+Settings witness_of(const Settings& s, FeatureSet features) {
+  Settings w = s;
+  w.lights.method = LightMethod::forward;
+  w.lights.markers = LightMarkers::off;
+  w.layout = Layout::float32;
+  w.depth.format = features.has(Feature::clip_control) ? DepthFormat::d32f_reversed : DepthFormat::d32f;
+  w.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::one};
+  w.background.skip = BackgroundSkip::depth;
+  w.tangents = Tangents::vertex;
+  w.antialias = Antialias::none;
+  w.draw_order = DrawOrder::near_far;
+  w.mistakes.clear();
+  w.view = {};
+  return w;
+}
+
+const gl::Texture& TruthTextures::of(ErrorOf what) const {
+  switch (what) {
+    case ErrorOf::final:
+    case ErrorOf::lit: return lit;
+    case ErrorOf::diffuse_light: return diffuse;
+    case ErrorOf::specular_light: return specular;
+    case ErrorOf::normal: return normal;
+    case ErrorOf::position:
+    case ErrorOf::depth: return position;
+    case ErrorOf::albedo:
+    case ErrorOf::roughness: return albedo;
+  }
+  return lit;
+}
+
+TruthTextures upload(const Truth& t) {
+  const auto one = [](size_t) { return 1.0; };
+  const auto of = [&](const char* label, const std::vector<glm::dvec3>& list) {
+    return uploaded(
+        t.size, label, [&](size_t i) { return list[i]; }, one);
+  };
+  TruthTextures out;
+  out.lit = uploaded(
+      t.size, "truth.lit", [&](size_t i) { return t.lit[i]; }, [&](size_t i) { return double(t.present[i]); });
+  out.diffuse = of("truth.diffuse", t.diffuse);
+  out.specular = of("truth.specular", t.specular);
+  out.normal = of("truth.normal", t.normal);
+  out.position = of("truth.position", t.position);
+  out.albedo = uploaded(
+      t.size, "truth.albedo", [&](size_t i) { return t.albedo[i]; }, [&](size_t i) { return t.roughness[i]; });
+  return out;
+}
+
+TruthMaker::TruthMaker(const Settings& s, int threads)
+    : settings_(witness_of(s, gl::device().features)), threads_(threads) {}
+
+TruthMaker::~TruthMaker() {
+  cancel_ = true;
+  if (work_.valid()) work_.wait();
+}
+
+double TruthMaker::progress() const { return work_.valid() ? reference_->progress() : 0; }
+
+void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
+  gl::FramebufferDesc desc{.label = "seen"};
+  for (size_t k = 0; k < seen_.size(); ++k) {
+    seen_[k] = gl::make_texture({.size = settings_.size, .format = Format::rgba32f, .label = kSeenLabels[k]});
+    desc.colours.push_back(&seen_[k]);
+  }
+  depth_ = gl::make_texture({.size = settings_.size, .format = Format::d32f, .label = "seen.depth"});
+  desc.depth = &depth_;
+  framebuffer_ = gl::make_framebuffer(desc);
+  renderer.render(settings_, scene, targets_);
+  witness_read_.start(*targets_.texture(Stores::lit));
+  renderer.draw_seen(settings_, scene, targets_, framebuffer_);
+  for (size_t k = 0; k < seen_.size(); ++k) reads_[k].start(seen_[k]);
+  asked_ = true;
+}
+
+// True when all of the GPU's answers are there; the CPU then begins.
+bool TruthMaker::take_texels(const GpuScene& scene, bool wait) {
+  if (const std::vector<float>* lit = witness_read_.take(wait))
+    witness_lit_ = rows_from_top<glm::vec3>(settings_.size, *lit);
+  for (size_t k = 0; k < reads_.size(); ++k)
+    if (const std::vector<float>* texels = reads_[k].take(wait))
+      seen_texels_[k] = rows_from_top<glm::vec4>(settings_.size, *texels);
+  for (const auto& list : seen_texels_)
+    if (list.empty()) return false;
+  if (witness_lit_.empty()) return false;
+  std::vector<SeenTexel> texels(witness_lit_.size());
+  for (size_t i = 0; i < texels.size(); ++i)
+    texels[i] = {seen_texels_[0][i], seen_texels_[1][i], seen_texels_[2][i], seen_texels_[3][i]};
+  reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(texels));
+  work_ = std::async(std::launch::async, [this] { return reference_->run(threads_, &cancel_); });
+  return true;
+}
+
+std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuScene& scene, bool wait) {
+  if (!asked_) ask_gpu(renderer, scene);
+  if (!work_.valid() && !take_texels(scene, wait)) return nullptr;
+  if (!wait && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
+  work_.get();
+  auto set = std::make_shared<TruthSet>();
+  set->settings = settings_;
+  set->truth = reference_->truth();
+  set->witness_lit = std::move(witness_lit_);
+  set->lit_pairs = reference_->lit_pairs();
+  set->textures = upload(set->truth);
+  return set;
+}
+
+Drawn read_drawn(Renderer& renderer, const Settings& drawn, const GpuScene& scene, Targets& targets, bool unlit) {
+  Drawn out;
+  out.lit = read_lit(targets);
+  gl::Texture normal = gl::make_texture({.size = drawn.size, .format = Format::rgba32f, .label = "decoded.normal"});
+  gl::Texture position = gl::make_texture({.size = drawn.size, .format = Format::rgba32f, .label = "decoded.position"});
+  const gl::Framebuffer into = gl::make_framebuffer({.colours = {&normal, &position}, .label = "decoded"});
+  renderer.draw_decoded(drawn, scene, targets, into);
+  if (shading_of(drawn.lights.method) != Shading::forward)
+    out.normal = rows_from_top<glm::vec3>(drawn.size, gl::read_rgba32f(normal));
+  out.position = rows_from_top<glm::vec3>(drawn.size, gl::read_rgba32f(position));
+  if (!unlit) return out;
+  Settings dark = drawn;
+  dark.lights.first = 0;
+  renderer.render(dark, scene, targets);
+  out.unlit = read_lit(targets);
+  return out;
+}
+
+}  // namespace gbl

@@ -1,0 +1,70 @@
+#pragma once
+// What the reference and the measures need of the GPU, and the truth brought back to it for the eye.
+#include <atomic>
+#include <future>
+#include <optional>
+
+#include "renderer/passes/frame.h"
+#include "renderer/truth/reference.h"
+
+namespace gbl {
+
+// The same truth, drawn so that the least is lost on this device: forward, everything in float32. What even this
+// frame misses is float arithmetic's doing, not a set-up's.
+Settings witness_of(const Settings&, FeatureSet);
+
+// The truth as textures, for the views `reference` and `error`. Rounded once to float.
+struct TruthTextures {
+  gl::Texture lit;  // a: 1 where a surface is
+  gl::Texture diffuse, specular, normal, position;
+  gl::Texture albedo;  // a: roughness
+  const gl::Texture& of(ErrorOf) const;
+};
+TruthTextures upload(const Truth&);
+
+// Everything that a frame of these settings is judged by.
+struct TruthSet {
+  Settings settings;  // its truth part counts
+  Truth truth;
+  std::vector<glm::vec3> witness_lit;  // rows top to bottom
+  uint64_t lit_pairs = 0;
+  TruthTextures textures;
+};
+
+// Makes a TruthSet without ever making the window wait: the GPU is asked, the CPU works on threads of its own.
+class TruthMaker {
+ public:
+  TruthMaker(const Settings&, int threads);
+  ~TruthMaker();  // cancels
+
+  const Settings& settings() const { return settings_; }
+  double progress() const;  // 0..1
+
+  // Does what can be done now; the set, once, when it is there. `wait` blocks until then.
+  std::shared_ptr<const TruthSet> step(Renderer&, const GpuScene&, bool wait);
+
+ private:
+  void ask_gpu(Renderer&, const GpuScene&);
+  bool take_texels(const GpuScene&, bool wait);
+
+  Settings settings_;
+  int threads_;
+  bool asked_ = false;
+  Targets targets_;  // of the frame block, the instances and the witness
+  std::array<gl::Texture, 4> seen_;
+  gl::Texture depth_;
+  gl::Framebuffer framebuffer_;
+  std::array<gl::AsyncRead, 4> reads_;
+  gl::AsyncRead witness_read_;
+  std::array<std::vector<glm::vec4>, 4> seen_texels_;
+  std::vector<glm::vec3> witness_lit_;
+  std::unique_ptr<Reference> reference_;
+  std::atomic<bool> cancel_{false};
+  std::future<bool> work_;
+};
+
+// What a set-up made of the truth; draws, and waits for the GPU. With `unlit` the frame is drawn once more without
+// lights, and the targets then hold that frame.
+Drawn read_drawn(Renderer&, const Settings& drawn, const GpuScene&, Targets&, bool unlit);
+
+}  // namespace gbl

@@ -1,0 +1,84 @@
+// What the reference needs to see, what the measures need decoded, and the two views that show the truth.
+#include <glm/gtc/type_ptr.hpp>
+
+#include "renderer/colour_map.h"
+#include "renderer/passes/judging.h"
+#include "renderer/passes/objects.h"
+
+namespace gbl {
+namespace {
+
+constexpr float kNothing[4] = {};
+
+gl::Defines error_defines(const Frame& frame, ErrorOf chosen) {
+  gl::Defines defines = frame.defines();
+  defines.push_back({"SPLIT", frame.split()});
+  append_axis(defines, "ERROR_OF", "ERROR_", chosen);
+  return defines;
+}
+
+void draw_reference(const Frame& frame, const TruthTextures& truth) {
+  gl::bind_texture(kTruthUnit, truth.lit);
+  glUseProgram(frame.programs.get("fullscreen.vert", "truth.frag", frame.defines()).id());
+  frame.shapes.draw_fullscreen();
+}
+
+void colour_errors(const Frame& frame, double range) {
+  const bool with_sign = frame.settings.view.error.scale == ErrorScale::with_sign;
+  const std::span<const glm::vec3> stops = with_sign ? red_blue() : magma();
+  const int count = static_cast<int>(stops.size());
+  gl::bind_texture(kErrorUnit, frame.targets.errors().texture);
+  const gl::Program& program =
+      frame.programs.get("fullscreen.vert", "error_colour.frag", {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
+  glUseProgram(program.id());
+  glUniform3fv(program.uniform("stops"), count, glm::value_ptr(stops[0]));
+  glUniform1f(program.uniform("range"), static_cast<float>(range));
+  glUniform3fv(program.uniform("sky_colour"), 1, glm::value_ptr(kSkyColour));
+  frame.shapes.draw_fullscreen();
+}
+
+}  // namespace
+
+void draw_truth_view(const Frame& frame, View view, const ViewOptions& options, Canvas& into) {
+  begin_drawing(into.framebuffer, frame.settings.size, {});
+  if (view == View::reference)
+    draw_reference(frame, *options.truth);
+  else
+    colour_errors(frame, options.error_range);
+}
+
+void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {
+  const Frame frame = frame_of(s, scene, targets);
+  const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
+  begin_drawing(into, s.size, depth_tested(frame, gl::DepthTest::less, {.depth_write = true}));
+  for (int k = 0; k < 4; ++k) glClearBufferfv(GL_COLOR, k, kNothing);
+  const float farthest = frame.depth_runs() == DepthRuns::reversed ? 0.0f : 1.0f;
+  glClearBufferfv(GL_DEPTH, 0, &farthest);
+  gl::Defines defines = frame.surface_defines();
+  defines.push_back({"TRIANGLE_IDS", 1});
+  draw_objects(frame, draws, "seen.frag", defines, {}, Corners::numbered);
+}
+
+void Renderer::draw_decoded(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {
+  const Frame frame = frame_of(s, scene, targets);
+  begin_drawing(into, s.size, {});
+  bind_gbuffer(frame);
+  glUseProgram(programs_.get("fullscreen.vert", "decoded.frag", frame.defines()).id());
+  shapes_.draw_fullscreen();
+}
+
+void Renderer::draw_errors(const Settings& s, const GpuScene& scene, Targets& targets, const TruthTextures& truth) {
+  const Frame frame = frame_of(s, scene, targets);
+  Canvas& canvas = targets.errors();
+  begin_drawing(canvas.framebuffer, s.size, {});
+  bind_gbuffer(frame);
+  bind_light_sums(frame);
+  gl::bind_texture(kLitUnit, *targets.texture(Stores::lit));
+  gl::bind_texture(kTruthUnit, truth.lit);
+  gl::bind_texture(kTruthValueUnit, truth.of(s.view.error.of));
+  glUseProgram(programs_.get("fullscreen.vert", "error.frag", error_defines(frame, s.view.error.of)).id());
+  shapes_.draw_fullscreen();
+  targets.error_read.start(canvas.texture);
+}
+
+}  // namespace gbl

@@ -1,0 +1,20 @@
+// For the reference: which triangle is seen, and what its textures hold there. Nothing is worked out from them here.
+#include "material.glsl"
+
+flat in uint triangle;
+
+layout(location = 0) out vec4 seen;      // object from 1, triangle from 0: whole numbers below 2^24; roughness and metal texels
+layout(location = 1) out vec4 base;      // base colour texel
+layout(location = 2) out vec4 mapped;    // normal map's texel, occlusion texel
+layout(location = 3) out vec4 emission;  // emission texel
+
+void main() {
+#if ALPHA_MASK
+  if (material_base().a < alpha_cutoff) discard;
+#endif
+  vec4 rough_metal = texture(roughness_map, uv_of(ROUGHNESS_MAP));
+  seen = vec4(float(object_id), float(triangle), rough_metal.g, rough_metal.b);
+  base = texture(base_colour_map, uv_of(BASE_COLOUR_MAP));
+  mapped = vec4(texture(normal_map, uv_of(NORMAL_MAP_)).xyz, texture(occlusion_map, uv_of(OCCLUSION_MAP)).r);
+  emission = texture(emissive_map, uv_of(EMISSIVE_MAP));
+}
