@@ -105,7 +105,7 @@ struct Settings {
     struct Error {
       ErrorOf of = ErrorOf::final;
       ErrorScale scale = ErrorScale::magnitude;
-      double range = 0;  // where the colour bar ends, in the quantity's unit; 0: at the largest error
+      double range = 0;  // where the colour bar ends, in the quantity's unit; 0: fitted
       bool operator==(const Error&) const = default;
     } error;
     bool operator==(const View&) const = default;

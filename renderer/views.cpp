@@ -102,7 +102,7 @@ constexpr ViewRow kViews[] = {
   {.view = View::error, .id = "error", .key = "", .label = "error",
    .sentence = "How far the picture, or one of its buffers, is from the reference.",
    .written_by = Pass::combine, .space = "of what view.error.of names",
-   .unit = "codes of 255, radiance, degrees or world units", .range = "0 to the largest error, or view.error.range", .read_by = "nobody; the same numbers are measured on the CPU",
+   .unit = "codes of 255, radiance, degrees or world units", .range = "0 to where 99.9 % of the pixels are within it, or to view.error.range; beyond it the last colour", .read_by = "nobody; the same numbers are measured on the CPU",
    .decode = "shown - true of the channel that is off most; magnitude: magma, signed: red too much, blue too little",
    .in_sources = "none of the five measures one",
    .mistake = "one mean for the whole picture: a light that is lost in one per cent of it hardly moves a mean"},

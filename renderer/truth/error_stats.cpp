@@ -7,6 +7,10 @@
 #include "renderer/colour_map.h"
 
 namespace gbl {
+namespace {
+// A bar that fits holds so many of the pixels: one pixel at a silhouette must not turn all the others black.
+constexpr double kFitShare = 0.999;
+}  // namespace
 
 const char* unit_of(ErrorOf of) {
   switch (of) {
@@ -48,13 +52,13 @@ ErrorStats error_stats(ErrorOf of, glm::ivec2 size, const std::vector<float>& er
   if (magnitudes.empty()) return out;
   const auto n = static_cast<double>(magnitudes.size());
   out.mean = sum / n, out.signed_mean = signed_sum / n;
-  const double largest = *std::max_element(magnitudes.begin(), magnitudes.end());
-  out.range = fixed_range > 0 ? fixed_range : largest > 0 ? round_for_bar(largest) : 1;
+  std::sort(magnitudes.begin(), magnitudes.end());
+  const auto percentile = [&](double share) { return magnitudes[static_cast<size_t>(std::ceil(share * n)) - 1]; };
+  out.p99 = percentile(0.99);
+  const double most = percentile(kFitShare) > 0 ? percentile(kFitShare) : magnitudes.back();
+  out.range = fixed_range > 0 ? fixed_range : most > 0 ? round_for_bar(most) : 1;
   for (const double m : magnitudes)
     ++out.histogram[static_cast<size_t>(std::min(m / out.range * ErrorStats::kBins, ErrorStats::kBins - 1.0))];
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * n)) - 1;
-  std::nth_element(magnitudes.begin(), magnitudes.begin() + rank, magnitudes.end());
-  out.p99 = magnitudes[static_cast<size_t>(rank)];
   return out;
 }
 

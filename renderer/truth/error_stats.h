@@ -20,8 +20,8 @@ struct ErrorStats {
 
 const char* unit_of(ErrorOf);  // "codes of 255", "degrees", …
 
-// errors: RGBA floats, rows bottom to top; r = signed error, a = 1 where a surface is. fixed_range 0: the bar ends at
-// the largest error, rounded up so that its labels are round.
+// errors: RGBA floats, rows bottom to top; r = signed error, a = 1 where a surface is. fixed_range 0: the bar ends
+// where 99.9 % of the pixels are within it, rounded up so that its labels are round.
 ErrorStats error_stats(ErrorOf, glm::ivec2 size, const std::vector<float>& errors, double fixed_range);
 
 // The numbered bar: magnitude from 0, or both ways.
