@@ -1,7 +1,18 @@
 #include "renderer/truth/measure.h"
 
+#include <cassert>
+#include <cmath>
+
+#include "renderer/truth/colour_spaces.h"
+#include "renderer/truth/flip.h"
+#include "renderer/truth/pixel_maths.h"
+#include "renderer/truth/tally.h"
+
 namespace gbl {
 namespace {
+
+constexpr double kCode = 1.0 / 255;   // one step of an 8-bit screen
+constexpr double kRelmseDark = 0.01;  // keeps the relative error of black finite; other tools take other values
 
 // clang-format off
 constexpr ErrorColumn kColumns[] = {
@@ -31,8 +42,143 @@ constexpr ErrorColumn kColumns[] = {
 };
 // clang-format on
 
+std::optional<double> share(size_t count, size_t of) {
+  return of == 0 ? std::nullopt : std::optional(static_cast<double>(count) / static_cast<double>(of));
+}
+
+size_t count_compared(const Truth& truth) {
+  size_t count = 0;
+  for (const uint8_t present : truth.present) count += present != 0;
+  return count;
+}
+
+// ---- lit, linear ----------------------------------------------------------------------------------------------------
+
+void measure_radiance(Errors& e, const Truth& truth, const std::vector<glm::vec3>& lit) {
+  Tally largest;
+  Mean square, magnitude, with_sign, relative;
+  size_t over = 0, compared = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    if (!truth.present[i]) continue;
+    const glm::dvec3 d = glm::dvec3(lit[i]) - truth.lit[i];
+    const double most = largest_magnitude(d);
+    ++compared, over += most > kCode;
+    largest.add(most);
+    for (int k = 0; k < 3 && finite(d); ++k) {
+      square.add(d[k] * d[k]), magnitude.add(std::abs(d[k])), with_sign.add(d[k]);
+      relative.add(d[k] * d[k] / (truth.lit[i][k] * truth.lit[i][k] + kRelmseDark));
+    }
+  }
+  e.over_1_255_linear = share(over, compared);
+  e.max_linear = largest.max(), e.p99_linear = largest.percentile(0.99);
+  e.mae_linear = magnitude.value(), e.signed_mean_linear = with_sign.value(), e.relmse_linear = relative.value();
+  if (square.value()) e.rmse_linear = std::sqrt(*square.value());
+}
+
+void count_nonfinite_and_background(Errors& e, const Truth& truth, const std::vector<glm::vec3>& lit) {
+  size_t nonfinite = 0, background_lit = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    const glm::dvec3 more = glm::dvec3(lit[i]) - truth.lit[i];
+    nonfinite += !finite(lit[i]);
+    background_lit += !truth.present[i] && (more.x > kCode || more.y > kCode || more.z > kCode);
+  }
+  e.nonfinite_pixels = static_cast<double>(nonfinite), e.background_lit_pixels = static_cast<double>(background_lit);
+}
+
+// ---- lit, as displayed ----------------------------------------------------------------------------------------------
+
+// What the screen shows; black where there is no number to show.
+template <class Vec>
+std::vector<glm::dvec3> shown(const Display& display, const std::vector<Vec>& radiance) {
+  std::vector<glm::dvec3> out;
+  out.reserve(radiance.size());
+  for (const Vec& r : radiance) out.push_back(finite(r) ? displayed(display, r) : glm::dvec3(0));
+  return out;
+}
+
+void measure_display(Errors& e, const Truth& truth, const std::vector<glm::vec3>& lit, const Display& display) {
+  const std::vector<glm::dvec3> expected = shown(display, truth.lit), got = shown(display, lit);
+  const std::vector<double> map = flip(truth.size, expected, got);
+  Mean square, perceived;
+  size_t over = 0, over_half = 0, compared = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    if (!truth.present[i]) continue;
+    const glm::dvec3 d = got[i] - expected[i];
+    const bool known = finite(glm::dvec3(lit[i]) - truth.lit[i]);
+    const double most = known ? largest_magnitude(d) : 1;  // 1: a screen cannot be further off
+    ++compared, over += most > kCode, over_half += most > kCode / 2;
+    perceived.add(known ? map[i] : 1);
+    for (int k = 0; k < 3 && known; ++k) square.add(d[k] * d[k]);
+  }
+  e.over_1_255_display = share(over, compared), e.over_half_255_display = share(over_half, compared);
+  e.flip_mean = perceived.value();
+  if (square.value()) e.psnr_display = -10 * std::log10(*square.value());  // infinite when equal
+}
+
+// ---- light alone ----------------------------------------------------------------------------------------------------
+
+// By the channel that should be brightest; where no light should arrive, by the one that is. Pixels that are not finite
+// stand in nonfinite_pixels.
+void count_lost_and_doubled(Errors& e, const Truth& truth, const Drawn& drawn) {
+  size_t lost = 0, doubled = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    if (!truth.present[i]) continue;
+    const glm::dvec3 expected = truth.light(i), got = glm::dvec3(drawn.lit[i]) - glm::dvec3(drawn.unlit[i]);
+    if (!finite(got)) continue;
+    const int k = largest_channel(expected == glm::dvec3(0) ? got : expected);
+    lost += expected[k] > kCode && got[k] < 0.5 * expected[k];
+    doubled += got[k] > kCode && got[k] > 1.5 * expected[k] && got[k] - expected[k] > kCode;
+  }
+  e.lost_pixels = static_cast<double>(lost), e.doubled_pixels = static_cast<double>(doubled);
+}
+
+// ---- attributes -----------------------------------------------------------------------------------------------------
+
+// atan2, since acos of a dot product near 1 loses all angles below 1e-6 degrees and most digits of those above. A
+// normal that is no direction is as wrong as can be.
+double normal_error_deg(const glm::dvec3& normal, const glm::dvec3& expected) {
+  if (!finite(normal) || normal == glm::dvec3(0)) return 180;
+  return glm::degrees(std::atan2(glm::length(glm::cross(normal, expected)), glm::dot(normal, expected)));
+}
+
+void measure_normals(Errors& e, const Truth& truth, const std::vector<glm::vec3>& normal) {
+  Tally angles_deg;
+  for (size_t i = 0; i < truth.pixels(); ++i)
+    if (truth.present[i]) angles_deg.add(normal_error_deg(normal[i], truth.normal[i]));
+  e.normal_deg_mean = angles_deg.mean(), e.normal_deg_max = angles_deg.max();
+  e.normal_deg_p50 = angles_deg.percentile(0.5), e.normal_deg_p99 = angles_deg.percentile(0.99);
+}
+
+void measure_positions(Errors& e, const Truth& truth, const std::vector<glm::vec3>& position) {
+  Tally distances;
+  for (size_t i = 0; i < truth.pixels(); ++i)
+    if (truth.present[i]) distances.add(glm::length(glm::dvec3(position[i]) - truth.position[i]));
+  e.position_mean = distances.mean(), e.position_p99 = distances.percentile(0.99), e.position_max = distances.max();
+}
+
 }  // namespace
 
 std::span<const ErrorColumn> error_columns() { return kColumns; }
+
+glm::dvec3 displayed(const Display& display, const glm::dvec3& radiance) {
+  const glm::dvec3 clamped = glm::clamp(display.exposure * radiance, 0.0, 1.0);
+  return display.colour == Colour::srgb ? srgb_from_linear(clamped) : clamped;
+}
+
+Errors measure(const Truth& truth, const Drawn& drawn, const Display& display) {
+  for ([[maybe_unused]] const auto* list : {&drawn.lit, &drawn.unlit, &drawn.normal, &drawn.position})
+    assert(list->empty() || list->size() == truth.pixels());
+  Errors e;
+  const size_t compared = count_compared(truth);
+  e.compared_pixels = static_cast<double>(compared);
+  if (!drawn.lit.empty()) {
+    count_nonfinite_and_background(e, truth, drawn.lit);
+    if (compared > 0) measure_radiance(e, truth, drawn.lit), measure_display(e, truth, drawn.lit, display);
+    if (compared > 0 && !drawn.unlit.empty()) count_lost_and_doubled(e, truth, drawn);
+  }
+  if (!drawn.normal.empty()) measure_normals(e, truth, drawn.normal);
+  if (!drawn.position.empty()) measure_positions(e, truth, drawn.position);
+  return e;
+}
 
 }  // namespace gbl

@@ -17,8 +17,8 @@ struct Display {
 glm::dvec3 displayed(const Display&, const glm::dvec3& radiance);
 
 // Empty: nothing to measure (no surface is seen, or the attachment is not stored). Non-finite pixels are counted in
-// nonfinite_pixels; for shares they are over every bound, from means and percentiles they are left out, and a maximum
-// is infinite.
+// nonfinite_pixels; for shares they are over every bound, from means and percentiles they are left out (FLIP's mean
+// takes 1, its largest, instead), and a maximum is infinite.
 struct Errors {
   std::optional<double> over_1_255_display, over_half_255_display, over_1_255_linear;  // shares, 0..1
   std::optional<double> max_linear, p99_linear, rmse_linear, mae_linear, signed_mean_linear, relmse_linear;  // radiance
@@ -41,7 +41,8 @@ std::span<const ErrorColumn> error_columns();
 Errors measure(const Truth&, const Drawn&, const Display&);
 
 // Does a picture hold a bound? A pixel at which the witness (a float32 forward frame) itself is off by more than the
-// bound is excused, and counted: there the GPU's float arithmetic, not the set-up, is to blame.
+// bound is excused, and counted: there the GPU's float arithmetic, not the set-up, is to blame. Without a
+// witness (empty) none is excused.
 struct BoundCheck {
   size_t compared = 0, excused = 0, over = 0;  // pixels; `over` are those beyond the bound and not excused
   double worst = 0;                            // largest displayed difference of a pixel that is not excused
