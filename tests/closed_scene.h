@@ -1,6 +1,7 @@
 #pragma once
 // Scenes with a known answer for the reference, and what the GPU would say of them: which triangle a pixel sees.
 #include <cmath>
+#include <gtest/gtest.h>
 #include <limits>
 
 #include "renderer/truth/reference.h"
