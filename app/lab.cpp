@@ -117,6 +117,7 @@ ui::Input ui_input(const Lab& lab) {
   ui::Input input{
       .scene = lab.scene(), .lights = lab.targets().lights, .features = lab.device().features, .report = lab.report()};
   for (int v = 0; v < kViewCount; ++v) input.images[v] = lab.handle_of(static_cast<View>(v));
+  input.error = lab.error_stats();
   return input;
 }
 

@@ -86,16 +86,38 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
   }
 }
 
+// The reference takes a second or more: its views appear when it is there, and the window goes on meanwhile. Nothing
+// is begun while something moves: it would be given up at the next frame.
+void Viewer::draw_truth(const Settings& s, const ui::Requests& requests, bool all) {
+  bool wanted = false, complete = true;
+  for (const View view : {View::reference, View::error}) {
+    bool& fresh = fresh_[static_cast<size_t>(view)];
+    if (!requests.visible[static_cast<size_t>(view)] || !why_missing(view, lab_.drawn()).empty()) continue;
+    wanted = true;
+    if (moving_) continue;
+    if (all || !fresh || !(s.view == view_drawn_)) {
+      lab_.look_at(s.view);
+      fresh = lab_.draw_truth_view(view, false);
+      stats_pending_ |= fresh && view == View::error;
+    }
+    complete &= fresh;
+  }
+  if (!wanted || moving_) lab_.stop_truth();
+  if (stats_pending_ && lab_.take_error_stats()) stats_pending_ = false;
+  truth_waiting_ = wanted && !moving_ && (!complete || stats_pending_);
+}
+
 void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
   const bool overlays_changed = !(s.view == view_drawn_);
   for (int v = 0; v < kViewCount; ++v) {
     const View view = static_cast<View>(v);
     const bool stale = all || !fresh_[v] || (view == View::final && overlays_changed);
-    if (!requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
+    if (needs_truth(view) || !requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
     lab_.look_at(s.view);
     lab_.draw_view(view, {.overlays = view == View::final});
     fresh_[v] = true;
   }
+  draw_truth(s, requests, all);
   view_drawn_ = s.view;
 }
 
@@ -138,6 +160,7 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
 ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
+  in.truth_progress = lab_.truth_progress();
   in.message = message_;
   in.banner = loader_.loading() ? fmt::format("reading {}: {}", loader_.name(), loader_.progress()) : banner_;
   in.seconds = seconds;

@@ -31,12 +31,13 @@ class Viewer {
   void say(std::string message) { message_ = std::move(message); }
 
   // Is there more to come without any input: an answer under way, a smaller picture to be replaced?
-  bool busy() const { return waiting_ || moving_ || loader_.loading(); }
+  bool busy() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
 
  private:
   bool scene_ready(const Settings&);
   void arrive(bool wait);
   void draw_frame(const Settings&, bool moving);
+  void draw_truth(const Settings&, const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload();
   Settings affordable(const Settings&, bool moving);
@@ -46,6 +47,8 @@ class Viewer {
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   Settings asked_;                          // of the last attempt, drawn or refused
   bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false;
+  bool truth_waiting_ = false;            // a visible view still waits for the reference
+  bool stats_pending_ = false;            // of the error view
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
   Settings::View view_drawn_;
   std::optional<ui::PixelProbe> probe_;

@@ -234,7 +234,31 @@ const ViewRow& view_by_id(std::string_view id) {
   throw Error(ExitCode::bad_input, "view", fmt::format("unknown view '{}'", id), suggest(id, known));
 }
 
+namespace {
+
+// The buffer that an error is the error of.
+View shown_by(ErrorOf of) {
+  switch (of) {
+    case ErrorOf::final: return View::final;
+    case ErrorOf::lit: return View::lit;
+    case ErrorOf::diffuse_light: return View::diffuse_light;
+    case ErrorOf::specular_light: return View::specular_light;
+    case ErrorOf::normal: return View::normal;
+    case ErrorOf::position: return View::position;
+    case ErrorOf::depth: return View::depth;
+    case ErrorOf::albedo: return View::albedo;
+    case ErrorOf::roughness: return View::material;
+  }
+  return View::lit;
+}
+
+}  // namespace
+
 std::string why_missing(View v, const Settings& s) {
+  if (v == View::error) {
+    const bool no_roughness = s.view.error.of == ErrorOf::roughness && !facts(s.layout).stores_roughness();
+    return no_roughness ? facts(s.layout).roughness_missing : why_missing(shown_by(s.view.error.of), s);
+  }
   const bool one_light = v == View::diffuse_light || v == View::specular_light;
   const bool surface = v == View::albedo || v == View::normal || v == View::material;
   const Shading shading = shading_of(s.lights.method);
@@ -252,6 +276,8 @@ std::string why_missing(View v, const Settings& s) {
 std::string stored_as(View v, const Settings& s) {
   // Not part of the frame: a counter that is drawn only while somebody looks at it.
   if (counted(v)) return "counted apart, R32F 4 B";
+  if (v == View::reference) return "worked out on the CPU, double";
+  if (v == View::error) return fmt::format("of {} against the reference", row(s.view.error.of).label);
   const std::vector<Attachment> all = attachments(s);
   const Attachment* a = find(all, stored(v));
   const bool beside_albedo = v == View::material && !facts(s.layout).words && s.layout != Layout::float32;

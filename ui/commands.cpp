@@ -111,6 +111,17 @@ void pick_object(Frame& f, const KeyEvent&) {
     say(f, {pointed || again ? "No object is picked." : "Point at an object or hold a pixel first.", ""});
 }
 
+void show_error(Frame& f, const KeyEvent& e) { show_view(f, e.shift ? View::reference : View::error); }
+
+void go_to_worst(Frame& f, const KeyEvent&) {
+  const std::optional<ErrorStats>& stats = f.input.error;
+  if (!stats || stats->worst.x < 0) return say(f, {"No error has been measured yet: U shows the error view.", ""});
+  f.hold(stats->worst);
+  say(f, {fmt::format("The worst pixel: {}, {} is off by {:.3g} {}.", stats->worst.x, stats->worst.y, stats->max,
+                      unit_of(stats->of)),
+          ""});
+}
+
 void toggle_hidden(Frame& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
 void reload_shaders(Frame& f, const KeyEvent&) { f.requests.reload_shaders = true; }
 void save_figure(Frame& f, const KeyEvent&) { f.requests.save_figure = true; }

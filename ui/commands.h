@@ -14,6 +14,8 @@ void glide(Frame&, const KeyEvent&);
 void solo_light(Frame&, const KeyEvent&);
 void pick_light(Frame&, const KeyEvent&);
 void pick_object(Frame&, const KeyEvent&);
+void show_error(Frame&, const KeyEvent&);
+void go_to_worst(Frame&, const KeyEvent&);
 void step_lesson(Frame&, const KeyEvent&);
 void reveal_answer(Frame&, const KeyEvent&);
 void toggle_card(Frame&, const KeyEvent&);

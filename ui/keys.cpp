@@ -24,6 +24,8 @@ constexpr Command kCommands[] = {
     {"Enter", "lesson.reveal", "show the answer", reveal_answer},
     {"Ctrl+G", "pixel.go-to", "hold the pixel at a typed x, y", open_go_to},
     {"G", "object.pick", "outline and name the object under the mouse or at the held pixel; again: none", pick_object},
+    {"U", "error", "the error against the reference, alone; Shift: the reference; again: all views", show_error},
+    {"J", "error.worst", "hold the pixel whose error is largest", go_to_worst},
     {"H", "card", "what is this buffer: the card of the view under the mouse, or of the chosen one", toggle_card},
     {"Space", "time.pause", "let the lights move, or stop them", toggle_time},
     {"F1", "help", "these keys", toggle_help},

@@ -99,7 +99,7 @@ void draw_panel(Frame& f, View v, const Box& panel) {
   look.px = v == f.layout.main ? f.type.body : f.type.small;
   look.words = !f.state.hidden;
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
-  draw_view_panel(f.painter, panel, v, image, f.stored, f.input.scene.bounds, look);
+  draw_view_panel(f.painter, panel, v, image, f.stored, legend_now(v, f.stored, f.input), look);
   if (f.state.focused == v) f.painter.outline(panel, kText, std::round(4 * f.layout.unit));
   if (f.state.hidden || (f.state.hovered == v && !f.state.held_at)) return;
   const std::optional<glm::ivec2> pixel = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
@@ -126,7 +126,10 @@ void draw_pictures(Frame& f) {
   for_each_panel(f, [&](View v, const Box& panel) { draw_panel(f, v, panel); });
   const Box& main = f.layout.main_box();
   f.requests.picture_size = {static_cast<int>(main.width()), static_cast<int>(main.height())};
-  if (!covered(f, main) && !f.state.hidden) draw_texts_on_main(f, main);
+  if (!covered(f, main) && !f.state.hidden) {
+    draw_texts_on_main(f, main);
+    draw_error_numbers(f, main);
+  }
   f.requests.probe = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
 }
 

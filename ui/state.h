@@ -107,6 +107,7 @@ void advance_motion(Frame&);                     // time, glide and camera keys,
 
 // ---- panels, one function each ------------------------------------------------------------------------------
 void draw_pictures(Frame&);
+void draw_error_numbers(Frame&, const Box& panel);  // on the error or reference view, if it is the large one
 void draw_strip(Frame&);
 void draw_lesson(Frame&, const Box&);
 void draw_control_column(Frame&);

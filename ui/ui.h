@@ -13,6 +13,7 @@
 #include "renderer/lights.h"
 #include "renderer/scene.h"
 #include "renderer/settings.h"
+#include "renderer/truth/error_stats.h"
 #include "renderer/views.h"
 
 namespace gbl::ui {
@@ -45,6 +46,8 @@ struct Input {
   const FrameReport& report;                 // of the last frame that was drawn
   std::array<ViewImage, kViewCount> images;  // by View
   std::optional<PixelProbe> probe;           // of the pixel asked for
+  std::optional<ErrorStats> error;           // of the error view; empty: not drawn yet
+  double truth_progress = 1;                 // of the reference that is being made; 1: none is
   std::string message;                       // an error or a notice to show until the next key; empty = none
   std::string banner;                        // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
   double seconds = 0;                        // a clock for motion, not part of any picture

@@ -55,8 +55,13 @@ Box picture_box(const Box& panel, glm::ivec2 picture) {
   return {min, {min.x + std::round(size.x), min.y + std::round(size.y)}};
 }
 
+Legend legend_now(View v, const Settings& s, const Input& in) {
+  if (v == View::error && in.error) return error_legend(*in.error, s.view.error.scale);
+  return legend(v, s, in.scene.bounds);
+}
+
 void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& image, const Settings& s,
-                     const Bounds& bounds, const PanelLook& look) {
+                     const Legend& legend, const PanelLook& look) {
   const ViewRow& view = row(v);
   const std::string why = why_missing(v, s);
   p.list().PushClipRect(panel.min, panel.max, true);
@@ -74,7 +79,7 @@ void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& imag
   if (look.words) {
     const Box room = panel.inset(look.chosen ? thickness * 2 - 2 : 0);
     draw_badge(p, room, view, why.empty() ? stored_as(v, s) : "", look);
-    draw_legend(p, room, legend(v, s, bounds), look.px);
+    draw_legend(p, room, legend, look.px);
   }
   p.list().PopClipRect();
 }

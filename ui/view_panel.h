@@ -16,7 +16,10 @@ struct PanelLook {
   bool chosen = false;
 };
 
-void draw_view_panel(Painter&, const Box&, View, const ViewImage&, const Settings&, const Bounds&, const PanelLook&);
+// The legend of a view as it is drawn now: the error's bar depends on what was found.
+Legend legend_now(View, const Settings&, const Input&);
+
+void draw_view_panel(Painter&, const Box&, View, const ViewImage&, const Settings&, const Legend&, const PanelLook&);
 
 // Where the picture stands in its panel: all of it, unless their shapes differ.
 Box picture_box(const Box& panel, glm::ivec2 picture);
