@@ -29,6 +29,8 @@ class Bench {
   Json row() const;
   const Errors& errors() const { return errors_; }
   const FrameReport& report() const { return report_; }
+  const std::shared_ptr<const TruthSet>& truth() const { return truth_; }  // null without errors
+  const Drawn& drawn() const { return drawn_; }
   // The bound of renderer/truth/measure.h, of the frame measured last (needs errors).
   BoundCheck bound(double display_difference) const;
 
