@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/error.h"
@@ -132,6 +133,10 @@ const Scene& SceneCache::get(const std::string& name) {
 
 std::span<const StudyPath> study_paths() { return kPaths; }
 
+void check_path(std::string_view path) {
+  if (!special(path)) study_option(path);
+}
+
 Json checked_value(std::string_view path, const Json& value) {
   if (const StudyPath* p = special(path)) return p->checked(value);
   return checked_option(study_option(path), value);
@@ -159,7 +164,11 @@ Json value_at(std::string_view path, const std::vector<Coordinate>& list, const 
 }
 
 std::string text_of(const Coordinate& c) {
-  return fmt::format("{}={}", c.path, c.value.is_string() ? c.value.get<std::string>() : c.value.dump());
+  const Json& v = c.value;
+  // Options that are numbers keep doubles: 100 is not to be printed as 100.0.
+  const bool whole = v.is_number_float() && v == std::floor(v.get<double>()) && std::abs(v.get<double>()) < 1e15;
+  const std::string text = v.is_string() ? v.get<std::string>() : whole ? Json(v.get<long long>()).dump() : v.dump();
+  return fmt::format("{}={}", c.path, text);
 }
 
 }  // namespace gbl

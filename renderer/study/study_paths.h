@@ -42,6 +42,8 @@ struct StudyPath {
 };
 std::span<const StudyPath> study_paths();
 
+void check_path(std::string_view path);  // Error(bad_input) with the nearest paths if a study cannot set it
+
 // The value in the one form that is compared and printed; Error(bad_input) names the path and what it can be.
 Json checked_value(std::string_view path, const Json& value);
 
