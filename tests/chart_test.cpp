@@ -110,6 +110,32 @@ TEST(ChartAxis, DrawsZeroADecadeBelowTheSmallest) {
   EXPECT_FALSE(axis_for(chart_error_column("rmse_linear"), {0.02, 3}).zero_at);
 }
 
+std::vector<std::string> labels(const ChartAxis& axis) {
+  std::vector<std::string> list;
+  for (const ChartTick& t : ticks_of(axis)) list.push_back(t.label);
+  return list;
+}
+
+TEST(ChartTicks, AreRoundNumbersWithinTheAxis) {
+  const ChartColumn &cost = cost_column("mib"), &quality = chart_error_column("psnr_display");
+  EXPECT_EQ(labels(axis_for(cost, {4, 44})), (std::vector<std::string>{"5", "10", "20", "50"}));
+  EXPECT_EQ(labels(axis_for(cost, {0, 3})), (std::vector<std::string>{"0", "3", "3.2", "3.4", "3.6", "3.8", "4"}));
+  EXPECT_EQ(labels(axis_for(cost, {0.001, 20})), (std::vector<std::string>{"0.001", "0.01", "0.1", "1", "10"}));
+  EXPECT_EQ(labels(axis_for(cost, {0, 0.02, 3})), (std::vector<std::string>{"0", "0.1", "1"}));
+  EXPECT_EQ(labels(axis_for(quality, {31, 44})), (std::vector<std::string>{"32", "34", "36", "38", "40", "42", "44"}));
+  Pcg32 random(4);
+  for (int i = 0; i < 500; ++i) {
+    const double a = std::exp(random.in(-60, 60)), b = a * std::exp(random.in(0, i % 2 ? 40 : 2));
+    for (const ChartColumn& column : {cost, quality}) {
+      const ChartAxis axis = axis_for(column, {a, b});
+      const std::vector<ChartTick> ticks = ticks_of(axis);
+      EXPECT_GE(ticks.size(), 2u) << a << " " << b;
+      EXPECT_LE(ticks.size(), 12u) << a << " " << b;
+      for (const ChartTick& t : ticks) EXPECT_TRUE(t.at >= axis.low && t.at <= axis.high) << a << " " << b;
+    }
+  }
+}
+
 TEST(ChartAxis, IsUsableWithoutASpread) {
   for (const std::vector<double>& values : {std::vector<double>{}, {0}, {0, 0}, {5}, {1e-300}}) {
     const ChartAxis axis = axis_for(cost_column("mib"), values);

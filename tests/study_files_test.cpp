@@ -135,7 +135,7 @@ TEST(StudyFiles, AreAllWritten) {
   EXPECT_TRUE(Json::parse(bytes_of(out / "study.json")).is_object());
   const std::string svg = bytes_of(out / "study.svg");
   for (const char* part : {"<svg", "Speed &amp; accuracy", "llvmpipe, 640x360 pixels, times by software-rasteriser",
-                           "1 rows without these numbers", "1 rows failed", "all targets of a frame [MiB]",
+                           "rows without these numbers: 1", "rows that failed: 1", "all targets of a frame [MiB]",
                            "rmse_linear: root mean square [radiance]", "Pareto front", ">nclgl<", "</svg>"})
     EXPECT_TRUE(contains(svg, part)) << part;
   EXPECT_EQ(read_png(out / "study.png").size, glm::ivec2(1280, 800));

@@ -159,22 +159,4 @@ std::vector<bool> pareto_front(std::span<const CostError> points) {
   return front;
 }
 
-ChartAxis axis_for(const ChartColumn& column, const std::vector<double>& values) {
-  ChartAxis axis{.logarithmic = !column.more_is_better};
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  bool zeros = false;
-  for (const double v : values) {
-    zeros |= axis.logarithmic && !(v > 0);
-    if (axis.logarithmic && !(v > 0)) continue;
-    low = std::min(low, v), high = std::max(high, v);
-  }
-  if (low > high) low = high = 1;  // nothing but zeros, or nothing at all
-  if (zeros) low /= 10, axis.zero_at = low;
-  constexpr double kBeyond = 1.4;  // so that no point sits on the frame
-  const double pad = std::max(0.05 * (high - low), 1e-9 * std::abs(high) + 1e-12);
-  axis.low = axis.logarithmic ? low / kBeyond : low - pad;
-  axis.high = axis.logarithmic ? high * kBeyond : high + pad;
-  return axis;
-}
-
 }  // namespace gbl

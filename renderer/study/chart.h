@@ -65,4 +65,10 @@ struct ChartAxis {
 };
 ChartAxis axis_for(const ChartColumn&, const std::vector<double>& values);
 
+struct ChartTick {
+  double at;
+  std::string label;
+};
+std::vector<ChartTick> ticks_of(const ChartAxis&);
+
 }  // namespace gbl

@@ -42,11 +42,12 @@ Places places_of(const Chart& chart) {
 }
 
 std::string axis_lines(const char* name, const ChartColumn& column, const ChartAxis& axis) {
-  std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\nset format {0} '%g'\n", name,
-                                 quoted(axis_title(column)), axis.low, axis.high);
+  std::string text =
+      fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name, quoted(axis_title(column)), axis.low, axis.high);
   if (axis.logarithmic) text += fmt::format("set logscale {}\n", name);
-  if (axis.zero_at) text += fmt::format("set {}tics add ('0' {})\n", name, *axis.zero_at);
-  return text;
+  std::string ticks;
+  for (const ChartTick& t : ticks_of(axis)) ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", t.label, t.at);
+  return text + fmt::format("set {}tics ({})\n", name, ticks);
 }
 
 // The front as a staircase: what a budget buys, up to the right edge.
@@ -95,7 +96,9 @@ std::string chart_script(const Chart& chart, const ChartTexts& texts, ChartFile 
   std::string text =
       fmt::format("set terminal {} size 1280,800 font 'DejaVu Sans,12' noenhanced background '#ffffff'\n",
                   file == ChartFile::svg ? "svg" : "pngcairo");
-  text += "set encoding utf8\nset datafile separator \"\\t\"\nset grid lc rgb '#dddddd'\nset key outside right top\n";
+  text +=
+      "set encoding utf8\nset datafile separator \"\\t\"\nset grid xtics ytics lt 1 lc rgb '#dddddd'\nset key outside "
+      "right top\n";
   text += fmt::format("set title {}.\"\\n\".{}\n", quoted(texts.title), quoted(texts.subtitle));
   text += axis_lines("x", chart.x, places.x) + axis_lines("y", chart.y, places.y);
   text += front_block(chart, places) + preset_block(chart, places);

@@ -85,8 +85,8 @@ std::string subtitle_of(const std::vector<Json>& rows, const Chart& chart, const
   std::string text = device.empty() ? machine.device : device;
   text += ", " + common_value(rows, "size", "several sizes") + " pixels";
   text += ", times by " + common_value(rows, "time_source", "several sources");
-  if (chart.without_value > 0) text += fmt::format("; {} rows without these numbers left out", chart.without_value);
-  if (chart.failed > 0) text += fmt::format("; {} rows failed", chart.failed);
+  if (chart.without_value > 0) text += fmt::format("; rows without these numbers: {}", chart.without_value);
+  if (chart.failed > 0) text += fmt::format("; rows that failed: {}", chart.failed);
   return text;
 }
 
