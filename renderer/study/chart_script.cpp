@@ -14,7 +14,7 @@ constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", 
 constexpr int kShapes[] = {7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14, 1};
 
 // In single quotes nothing is special but the quote itself.
-std::string quoted(std::string text) {
+std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
     const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;

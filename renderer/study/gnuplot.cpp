@@ -7,10 +7,9 @@
 #include <memory>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "renderer/error.h"
-
-extern char** environ;
 
 namespace gbl {
 namespace {

@@ -57,7 +57,8 @@ bool sees_something(const Scene& scene, const Camera& camera, double distance) {
   const ViewRays rays = view_rays(camera, kAspect);
   int seen = 0;
   for (int i = 0; i < kColumns * kRows; ++i) {
-    const double x = (2 * (i % kColumns) + 1.0) / kColumns - 1, y = (2 * (i / kColumns) + 1.0) / kRows - 1;
+    const int column = i % kColumns, row = i / kColumns;
+    const double x = (2 * column + 1.0) / kColumns - 1, y = (2 * row + 1.0) / kRows - 1;
     const glm::dvec3 across = x * rays.right + y * rays.up;
     const auto hit = camera.orthographic() ? first_hit(scene, camera.position + across, rays.forward)
                                            : first_hit(scene, camera.position, rays.forward + across);

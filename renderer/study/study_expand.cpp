@@ -8,7 +8,7 @@ namespace gbl {
 namespace {
 
 // The n-th case of a product; its last path is the fastest.
-std::vector<Coordinate> coordinates(const std::vector<Axis>& product, size_t n) {
+std::vector<Coordinate> coordinates(const std::vector<PathValues>& product, size_t n) {
   std::vector<Coordinate> at(product.size());
   for (size_t i = product.size(); i-- > 0;) {
     const std::vector<Json>& values = product[i].values;
@@ -18,9 +18,9 @@ std::vector<Coordinate> coordinates(const std::vector<Axis>& product, size_t n) 
   return at;
 }
 
-size_t size_of(const std::vector<Axis>& product) {
+size_t size_of(const std::vector<PathValues>& product) {
   size_t cases = 1;
-  for (const Axis& axis : product) cases *= axis.values.size();
+  for (const PathValues& axis : product) cases *= axis.values.size();
   return cases;
 }
 
@@ -41,8 +41,8 @@ std::string id_of(const std::vector<Coordinate>& at) {
   return id.empty() ? "base" : id;
 }
 
-bool matches(const std::vector<Axis>& rule, const std::vector<Coordinate>& all, const Settings& s) {
-  for (const Axis& member : rule) {
+bool matches(const std::vector<PathValues>& rule, const std::vector<Coordinate>& all, const Settings& s) {
+  for (const PathValues& member : rule) {
     const Json value = value_at(member.path, all, s);
     bool one = false;
     for (const Json& v : member.values) one |= v == value;
@@ -98,7 +98,7 @@ class Expansion {
 StudyPlan expand(const StudySpec& spec, const SceneFn& open, const DeviceLimits& limits) {
   Expansion expansion(spec, open, limits);
   if (spec.permute.empty()) expansion.add({});
-  for (const std::vector<Axis>& product : spec.permute)
+  for (const std::vector<PathValues>& product : spec.permute)
     for (size_t n = 0; n < size_of(product); ++n) expansion.add(coordinates(product, n));
   return expansion.take();
 }

@@ -15,7 +15,7 @@ constexpr int kStudyFileVersion = 1;
 
 // ---- study.csv --------------------------------------------------------------------------------------------
 std::string cell(const Json& value) {
-  const std::string text = value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
+  std::string text = value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -41,19 +41,19 @@ std::vector<Coordinate> parse_base(const Json& node, std::string_view where) {
   return base;
 }
 
-Axis parse_axis(const std::string& path, const Json& values, std::string_view where) {
+PathValues parse_axis(const std::string& path, const Json& values, std::string_view where) {
   if (values.is_array() && values.empty())
     throw Error(ExitCode::bad_input, where, fmt::format("{} has no values: the product is empty", path),
                 "give one, or leave the path out");
-  Axis axis{path, {}};
+  PathValues axis{path, {}};
   for (const Json& v : values) axis.values.push_back(look_up(where, [&] { return checked_value(path, v); }));
   return axis;
 }
 
-std::vector<Axis> parse_product(const Json& node, std::string_view where) {
+std::vector<PathValues> parse_product(const Json& node, std::string_view where) {
   must_be_object(node, where);
   if (node.empty()) throw Error(ExitCode::bad_input, where, "is empty", "give a path with values, or leave it out");
-  std::vector<Axis> product;
+  std::vector<PathValues> product;
   for (const auto& [path, values] : node.items()) {
     if (!values.is_array())
       throw Error(ExitCode::bad_input, where, fmt::format("{} is {}, not an array of values", path, values.dump()),
@@ -63,11 +63,11 @@ std::vector<Axis> parse_product(const Json& node, std::string_view where) {
   return product;
 }
 
-std::vector<std::vector<Axis>> parse_permute(const Json& node, const std::string& where) {
+std::vector<std::vector<PathValues>> parse_permute(const Json& node, const std::string& where) {
   if (!node.is_array()) return {parse_product(node, where)};
   if (node.empty())
     throw Error(ExitCode::bad_input, where, "is an empty array: no case", "give a product {\"path\": []}");
-  std::vector<std::vector<Axis>> products;
+  std::vector<std::vector<PathValues>> products;
   for (const Json& part : node)
     products.push_back(parse_product(part, fmt::format("{} {}", where, products.size() + 1)));
   return products;
@@ -75,27 +75,27 @@ std::vector<std::vector<Axis>> parse_permute(const Json& node, const std::string
 
 // One entry: {path: value or [values]}; of an option whose value is itself an array always [[...], ...]. An empty entry
 // would match, and leave out, everything.
-std::vector<Axis> parse_rule(const Json& node, std::string_view where) {
+std::vector<PathValues> parse_rule(const Json& node, std::string_view where) {
   must_be_object(node, where);
   if (node.empty()) throw Error(ExitCode::bad_input, where, "is empty: it would skip every case", "give it a path");
-  std::vector<Axis> rule;
+  std::vector<PathValues> rule;
   for (const auto& [path, value] : node.items())
     rule.push_back(parse_axis(path, value.is_array() ? value : Json::array({value}), where));
   return rule;
 }
 
-std::vector<std::vector<Axis>> parse_skip(const Json& node, const std::string& where) {
+std::vector<std::vector<PathValues>> parse_skip(const Json& node, const std::string& where) {
   if (!node.is_array()) throw Error(ExitCode::bad_input, where, "must be an array of objects");
-  std::vector<std::vector<Axis>> rules;
+  std::vector<std::vector<PathValues>> rules;
   for (const Json& part : node) rules.push_back(parse_rule(part, fmt::format("{} {}", where, rules.size() + 1)));
   return rules;
 }
 
 void check_size(const StudySpec& spec) {
   size_t total = 0;
-  for (const std::vector<Axis>& product : spec.permute) {
+  for (const std::vector<PathValues>& product : spec.permute) {
     size_t cases = 1;
-    for (const Axis& axis : product) cases = std::min(cases * axis.values.size(), kMostCases + 1);  // no overflow
+    for (const PathValues& axis : product) cases = std::min(cases * axis.values.size(), kMostCases + 1);  // no overflow
     total = std::min(total + cases, kMostCases + 1);
   }
   if (total > kMostCases)

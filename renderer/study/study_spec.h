@@ -12,7 +12,7 @@
 
 namespace gbl {
 
-struct Axis {
+struct PathValues {
   std::string path;
   std::vector<Json> values;
 };
@@ -21,8 +21,8 @@ struct StudySpec {
   std::string where;  // the file, for messages
   std::string name, label;
   std::vector<Coordinate> base;
-  std::vector<std::vector<Axis>> permute;  // a union of products
-  std::vector<std::vector<Axis>> skip;
+  std::vector<std::vector<PathValues>> permute;  // a union of products
+  std::vector<std::vector<PathValues>> skip;
   std::string x, y, family;  // of the chart, unless another is asked for
   Json json;                 // as read
 };
@@ -56,8 +56,8 @@ struct StudyPlan {
   std::vector<LeftOut> left_out;
 };
 
-// Left out are cases that a rule skips, that this device cannot draw, and that are drawn as an earlier case is: equal in
-// every option that is in use. Scenes are opened for their cameras and looks only.
+// Left out are cases that a rule skips, that this device cannot draw, and that are drawn as an earlier case is: equal
+// in every option that is in use. Scenes are opened for their cameras and looks only.
 StudyPlan expand(const StudySpec&, const SceneFn&, const DeviceLimits&);
 
 }  // namespace gbl
