@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <fmt/format.h>
-#include <initializer_list>
 
+#include "renderer/data_file.h"
 #include "renderer/error.h"
 #include "renderer/presets.h"
 #include "renderer/resources.h"
@@ -19,29 +19,6 @@ constexpr std::string_view kEnding = ".json";
 
 std::string file_name(std::string_view id) { return fmt::format("{}{}{}", kFolder, id, kEnding); }
 
-// A misspelt member would otherwise be a sentence that silently never appears on screen.
-void only_members(const Json& node, std::initializer_list<std::string_view> known, std::string_view where) {
-  if (!node.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");
-  for (const auto& [key, value] : node.items())
-    if (std::find(known.begin(), known.end(), key) == known.end())
-      throw Error(ExitCode::bad_input, where, fmt::format("unknown member \"{}\"", key),
-                  suggest(key, known.begin(), known.size()));
-}
-
-std::string text(const Json& node, const char* member, std::string_view where) {
-  if (!node.contains(member)) return {};
-  const Json& value = node[member];
-  if (!value.is_string())
-    throw Error(ExitCode::bad_input, where, fmt::format("\"{}\" is {}, not a text in quotes", member, value.dump()));
-  return value.get<std::string>();
-}
-
-std::string needed_text(const Json& node, const char* member, std::string_view where) {
-  std::string value = text(node, member, where);
-  if (value.empty()) throw Error(ExitCode::bad_input, where, fmt::format("\"{}\" is missing or empty", member));
-  return value;
-}
-
 // Tables throw with a place of their own ("--preset: …"); in a file the file is the place.
 template <class Look>
 void look_up(std::string_view where, Look look) {
@@ -53,7 +30,7 @@ void look_up(std::string_view where, Look look) {
 }
 
 bool large_layout(const Json& node, std::string_view where) {
-  const std::string layout = text(node, "layout", where);
+  const std::string layout = text_member(node, "layout", where);
   if (layout.empty() || layout == "mosaic") return false;
   if (layout == "large") return true;
   throw Error(ExitCode::bad_input, where, fmt::format("unknown layout '{}'", layout), "known: mosaic, large");
@@ -62,28 +39,16 @@ bool large_layout(const Json& node, std::string_view where) {
 LessonStep parse_step(const Json& node, std::string_view where) {
   only_members(node, {"say", "set", "view", "layout", "question", "answer"}, where);
   LessonStep step;
-  step.say = needed_text(node, "say", where);
+  step.say = needed_text_member(node, "say", where);
   step.set = node.contains("set") ? node["set"] : Json::object();
-  step.view = text(node, "view", where);
+  step.view = text_member(node, "view", where);
   if (!step.view.empty()) look_up(where, [&] { view_by_id(step.view); });
   step.large = large_layout(node, where);
-  step.question = text(node, "question", where);
-  step.answer = text(node, "answer", where);
+  step.question = text_member(node, "question", where);
+  step.answer = text_member(node, "answer", where);
   if (step.question.empty() != step.answer.empty())
     throw Error(ExitCode::bad_input, where, "\"question\" and \"answer\" must come together");
   return step;
-}
-
-void check_version(const Json& json, std::string_view where) {
-  if (!json.contains("version")) throw Error(ExitCode::bad_input, where, "no \"version\": not a lesson");
-  const Json& version = json["version"];
-  if (!version.is_number_integer() || version.get<long long>() < 1)
-    throw Error(ExitCode::bad_input, where, fmt::format("version {} is not a whole number from 1", version.dump()));
-  if (version.get<long long>() > kLessonVersion)
-    throw Error(
-        ExitCode::bad_input, where,
-        fmt::format("written for a newer program: version {}, this one reads up to {}", version.dump(), kLessonVersion),
-        "update the program");
 }
 
 }  // namespace
@@ -113,13 +78,13 @@ Lesson parse_lesson(std::string_view id, std::string_view json_text) {
   const std::string where = file_name(id);
   const Json json = parse_json(json_text, where);
   if (!json.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");
-  check_version(json, where);  // first: a newer file's members would be called misspelt
+  check_file_version(json, kLessonVersion, "lesson", where);  // first: a newer file's members would be called misspelt
   only_members(json, {"version", "title", "preset", "steps"}, where);
 
   Lesson lesson;
   lesson.id = id;
-  lesson.title = needed_text(json, "title", where);
-  lesson.preset = needed_text(json, "preset", where);
+  lesson.title = needed_text_member(json, "title", where);
+  lesson.preset = needed_text_member(json, "preset", where);
   Settings tried;
   look_up(where, [&] { tried = preset(lesson.preset).make(); });
   if (!json.contains("steps") || !json["steps"].is_array() || json["steps"].empty())

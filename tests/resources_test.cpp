@@ -37,6 +37,7 @@ class Resources : public testing::Test {
 TEST_F(Resources, NamesAreTheFilesOfTheSourceFolder) {
   EXPECT_EQ(resource_names("shaders/"), files_in("shaders", ""));
   EXPECT_EQ(resource_names("assets/lessons/"), files_in("assets/lessons", ".json"));
+  EXPECT_EQ(resource_names("assets/studies/"), files_in("assets/studies", ".json"));
   EXPECT_EQ(resource_names("fonts/"), std::vector<std::string>{"fonts/DejaVuSans.ttf"});
   EXPECT_TRUE(resource_names("no-such/").empty());
   const std::vector<std::string> all = resource_names("");

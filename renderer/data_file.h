@@ -1,0 +1,20 @@
+#pragma once
+// What reading our data files (lessons, studies) has in common: every refusal names the file and the member.
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "renderer/settings_json.h"
+
+namespace gbl {
+
+// A misspelt member would otherwise be silently without effect.
+void only_members(const Json& node, std::initializer_list<std::string_view> known, std::string_view where);
+
+std::string text_member(const Json& node, const char* member, std::string_view where);  // "" if it is not there
+std::string needed_text_member(const Json& node, const char* member, std::string_view where);
+
+// "version": a whole number from 1, none newer than `newest`. kind: "lesson"
+void check_file_version(const Json&, int newest, std::string_view kind, std::string_view where);
+
+}  // namespace gbl

@@ -1,0 +1,109 @@
+// chart_script(): the points of a chart as a text for gnuplot.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "renderer/study/gnuplot.h"
+
+namespace gbl {
+namespace {
+
+// Okabe and Ito 2008, "Color Universal Design", without their yellow: too pale on white.
+constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+// gnuplot's numbers: disc, square, triangles, diamond, pentagon; the same open; plus, cross, star. 13 shapes and 7
+// colours have no common factor: 91 families differ, neighbours in both.
+constexpr int kShapes[] = {7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14, 1};
+
+// In single quotes nothing is special but the quote itself.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    out += control ? std::string(" ") : c == '\'' ? std::string("''") : std::string(1, c);
+  }
+  return out + "'";
+}
+
+// A text as a field of a data block.
+std::string field(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == '"') c = ' ';
+  return text;
+}
+
+struct Places {
+  ChartAxis x, y;
+  std::string of(const ChartPoint& p) const { return fmt::format("{}\t{}", x.place(p.cost), y.place(p.error)); }
+};
+
+Places places_of(const Chart& chart) {
+  std::vector<double> costs, errors;
+  for (const ChartPoint& p : chart.points) costs.push_back(p.cost), errors.push_back(p.error);
+  return {axis_for(chart.x, costs), axis_for(chart.y, errors)};
+}
+
+std::string axis_lines(const char* name, const ChartColumn& column, const ChartAxis& axis) {
+  std::string text =
+      fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name, quoted(axis_title(column)), axis.low, axis.high);
+  if (axis.logarithmic) text += fmt::format("set logscale {}\n", name);
+  std::string ticks;
+  for (const ChartTick& t : ticks_of(axis)) ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", t.label, t.at);
+  return text + fmt::format("set {}tics ({})\n", name, ticks);
+}
+
+// The front as a staircase: what a budget buys, up to the right edge.
+std::string front_block(const Chart& chart, const Places& places) {
+  std::vector<const ChartPoint*> front;
+  for (const ChartPoint& p : chart.points)
+    if (p.on_front) front.push_back(&p);
+  std::sort(front.begin(), front.end(), [](auto* a, auto* b) { return a->cost < b->cost; });
+  std::string text = "$FRONT << EOD\n";
+  for (const ChartPoint* p : front) text += places.of(*p) + "\n";
+  if (!front.empty()) text += fmt::format("{}\t{}\n", places.x.high, places.y.place(front.back()->error));
+  return text + "EOD\n";
+}
+
+std::string preset_block(const Chart& chart, const Places& places) {
+  std::string text = "$PRESETS << EOD\n";
+  for (const ChartPoint& p : chart.points)
+    if (p.preset) text += fmt::format("{}\t{}\n", places.of(p), field(p.label));
+  return text + "EOD\n";
+}
+
+std::string family_block(const Chart& chart, const Places& places, size_t family) {
+  std::string text = fmt::format("$F{} << EOD\n", family);
+  for (const ChartPoint& p : chart.points)
+    if (p.family == chart.families[family]) text += places.of(p) + "\n";
+  return text + "EOD\n";
+}
+
+std::string plot_line(const Chart& chart) {
+  std::string text = "plot $FRONT using 1:2 with steps lw 2 lc rgb '#888888' title 'Pareto front'";
+  for (size_t i = 0; i < chart.families.size(); ++i)
+    text += fmt::format(", \\\n  $F{} using 1:2 with points pt {} ps 1.1 lc rgb '{}' title {}", i,
+                        kShapes[i % std::size(kShapes)], kColours[i % std::size(kColours)],
+                        quoted(chart.families[i].empty() ? "other" : chart.families[i]));
+  if (std::any_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.preset; }))
+    text +=
+        ", \\\n  $PRESETS using 1:2 with points pt 6 ps 2.2 lw 1.5 lc rgb '#000000' title 'preset', \\\n"
+        "  $PRESETS using 1:2:3 with labels offset 0,0.9 tc rgb '#000000' notitle";
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string chart_script(const Chart& chart, const ChartTexts& texts, ChartFile file) {
+  const Places places = places_of(chart);
+  std::string text =
+      fmt::format("set terminal {} size 1280,800 font 'DejaVu Sans,12' noenhanced background '#ffffff'\n",
+                  file == ChartFile::svg ? "svg" : "pngcairo");
+  text +=
+      "set encoding utf8\nset datafile separator \"\\t\"\nset grid xtics ytics lt 1 lc rgb '#dddddd'\nset key outside "
+      "right top\n";
+  text += fmt::format("set title {}.\"\\n\".{}\n", quoted(texts.title), quoted(texts.subtitle));
+  text += axis_lines("x", chart.x, places.x) + axis_lines("y", chart.y, places.y);
+  text += front_block(chart, places) + preset_block(chart, places);
+  for (size_t i = 0; i < chart.families.size(); ++i) text += family_block(chart, places, i);
+  return text + plot_line(chart);
+}
+
+}  // namespace gbl

@@ -1,0 +1,44 @@
+#pragma once
+// rows.jsonl: what a study has measured so far, a row a line. Whatever happens, what is in it are whole rows: they are
+// appended as they finish, skipped when the study is run again, and journals of several machines may be concatenated.
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/options.h"
+
+namespace gbl {
+
+// 16 hex digits of the settings asked for, what is looked at left out: equal on every machine.
+std::string row_key(const Settings&);
+
+class Journal {
+ public:
+  // Opens or makes the file and reads its rows. A torn last line is dropped from the file. Error(bad_input) with its
+  // line for a bad one elsewhere; Error(unfinished) if the file cannot be written or another study writes to it.
+  explicit Journal(std::filesystem::path);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  // Has this key been measured? A row that failed has not: it is tried again.
+  bool has(std::string_view key) const;
+  // One whole line, on the disk when this returns. The row has a member "key".
+  // Error(unfinished) if it cannot be kept, and then nothing of it is.
+  void append(const Json& row);
+  // One row per key, in the order in which the keys first came: the first that was measured, else the last that failed.
+  const std::vector<Json>& rows() const { return rows_; }
+
+ private:
+  void read();
+  void take(Json row);
+
+  std::filesystem::path path_;
+  int file_ = -1;
+  std::vector<Json> rows_;
+  std::map<std::string, size_t, std::less<>> by_key_;
+};
+
+}  // namespace gbl

@@ -1,0 +1,106 @@
+#include "renderer/study/study.h"
+
+#include <charconv>
+#include <chrono>
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/settings_json.h"
+
+namespace gbl {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+struct Todo {
+  const StudyCase* study_case;
+  std::string key;
+};
+
+// What makes a row findable comes first: a line of the journal can be read by its beginning.
+Json head(const StudyPlan& plan, const Todo& todo) {
+  Json row;
+  row["study"] = plan.study;
+  row["case"] = todo.study_case->id;
+  row["key"] = todo.key;
+  row["at"] = Json::object();
+  for (const Coordinate& c : todo.study_case->at) row["at"][c.path] = c.value;
+  return row;
+}
+
+// Empty: the study is to stop.
+std::optional<Json> measured(const StudyPlan& plan, const Todo& todo, const RowFn& measure) {
+  Json row = head(plan, todo);
+  std::string reason;
+  try {
+    const Json columns = measure(*todo.study_case);
+    for (const auto& [name, value] : columns.items())
+      if (!row.contains(name)) row[name] = value;
+    return row;
+  } catch (const Error& e) {
+    if (e.code() == ExitCode::interrupted) return {};
+    reason = e.what();
+  } catch (const std::exception& e) {  // no memory for this one's targets: smaller ones may follow
+    reason = e.what();
+  }
+  row["failed"] = reason;
+  row["settings"] = to_json(todo.study_case->settings);
+  return row;
+}
+
+}  // namespace
+
+Shard parse_shard(std::string_view text) {
+  const auto bad = [&](std::string_view what) {
+    return Error(ExitCode::bad_input, "--shard", fmt::format("'{}' {}", text, what), "write i/n, e.g. 2/3");
+  };
+  Shard shard;
+  const char* end = text.data() + text.size();
+  const auto i = std::from_chars(text.data(), end, shard.index);
+  const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
+  const auto n = slash ? std::from_chars(i.ptr + 1, end, shard.of) : i;
+  if (!slash || n.ec != std::errc() || n.ptr != end) throw bad("is not a shard");
+  if (shard.index < 1) throw bad("counts from 0, and shards count from 1");
+  if (shard.index > shard.of) throw bad("is beyond the last shard");
+  return shard;
+}
+
+StudyCounts run_study(const StudyPlan& plan, Shard shard, Journal& journal, const RowFn& measure,
+                      const ProgressFn& report, const std::atomic<bool>& cancel) {
+  StudyCounts counts;
+  std::vector<Todo> todo;
+  for (size_t i = 0; i < plan.cases.size(); ++i) {
+    if (!shard.takes(i)) continue;
+    std::string key = row_key(plan.cases[i].settings);
+    if (journal.has(key))
+      ++counts.before;
+    else
+      todo.push_back({&plan.cases[i], std::move(key)});
+  }
+  const size_t total = counts.before + todo.size();
+  double spent_s = 0;  // on measured rows: one that fails at once says nothing about the rest
+  const auto report_next = [&](const StudyCase* next) {
+    const size_t done = counts.before + counts.measured + counts.failed;
+    StudyProgress p{.done = done, .total = total, .failed = counts.failed, .next = next};
+    if (counts.measured > 0) p.seconds_left = spent_s / double(counts.measured) * double(total - done);
+    if (report) report(p);
+  };
+  for (const Todo& t : todo) {
+    if (cancel) break;
+    report_next(t.study_case);
+    const auto begin = Clock::now();
+    const std::optional<Json> row = measured(plan, t, measure);
+    if (!row) break;
+    journal.append(*row);
+    const bool failed = row->contains("failed");
+    ++(failed ? counts.failed : counts.measured);
+    if (!failed) spent_s += seconds_since(begin);
+  }
+  counts.left = todo.size() - counts.measured - counts.failed;
+  report_next(nullptr);
+  return counts;
+}
+
+}  // namespace gbl

@@ -1,0 +1,174 @@
+#include "renderer/study/study_paths.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+#include "renderer/presets.h"
+#include "renderer/scene_look.h"
+#include "renderer/study/seeded_camera.h"
+
+namespace gbl {
+namespace {
+
+constexpr glm::ivec2 kDefaultSize{640, 360};
+constexpr int kMostCameras = 1'000'000;
+
+[[noreturn]] void bad_value(std::string_view path, const Json& v, std::string_view expected) {
+  const std::string given = v.dump(-1, ' ', false, Json::error_handler_t::replace);
+  throw Error(ExitCode::bad_input, path, fmt::format("{} is not {}", given, expected));
+}
+
+// As the option itself understands it.
+Json checked_option(const Option& o, const Json& v) {
+  Settings scratch;
+  o.set(scratch, v, o);
+  return o.get(scratch);
+}
+
+void set(Settings& s, std::string_view path, const Json& v) {
+  const Option& o = option(path);
+  o.set(s, v, o);
+}
+
+Json checked_preset(const Json& v) {
+  std::vector<std::string_view> known;
+  for (const Preset& p : presets()) known.emplace_back(p.id);
+  if (!v.is_string()) bad_value("preset", v, "the id of a preset");
+  const auto id = v.get<std::string>();
+  if (std::find(known.begin(), known.end(), id) == known.end())
+    throw Error(ExitCode::bad_input, "preset", fmt::format("unknown preset '{}'", id), suggest(id, known));
+  return v;
+}
+void apply_preset(Settings& s, const Json& v, SceneCache&) { s = preset(v.get<std::string>()).make(); }
+
+Json checked_scene(const Json& v) { return checked_option(option("scene"), v); }
+void apply_scene_by_name(Settings& s, const Json& v, SceneCache& scenes) {
+  const auto name = v.get<std::string>();
+  apply_scene(s, name, scenes.get(name));
+}
+
+Json checked_lights(const Json& v) {
+  checked_option(option("lights.count"), v);
+  return v;
+}
+void apply_lights(Settings& s, const Json& v, SceneCache&) {
+  set(s, "lights.count", v);
+  s.lights.source = LightSource::generated;
+}
+
+Json checked_seed(const Json& v) {
+  if (!v.is_number_integer() || v < 0 || v > kMostCameras)
+    bad_value("camera.seed", v, fmt::format("a whole number in 0 ... {}", kMostCameras));
+  return v;
+}
+void apply_seed(Settings& s, const Json& v, SceneCache& scenes) {
+  if (v > 0) s.camera = seeded_camera(scenes.get(s.scene), s.camera, v.get<int>());
+}
+
+// "640x360" or [640, 360] -> [640, 360].
+Json size_array(const Json& v) {
+  if (!v.is_string()) return checked_option(option("size"), v);
+  const auto text = v.get<std::string>();
+  const char* end = text.data() + text.size();
+  int width = 0, height = 0;
+  const auto x = std::from_chars(text.data(), end, width);
+  const bool cross = x.ec == std::errc() && x.ptr != end && *x.ptr == 'x';
+  const auto y = cross ? std::from_chars(x.ptr + 1, end, height) : x;
+  if (!cross || y.ec != std::errc() || y.ptr != end) bad_value("size", v, "a size such as \"640x360\"");
+  return checked_option(option("size"), {width, height});
+}
+Json size_text(const Settings& s) { return fmt::format("{}x{}", s.size.x, s.size.y); }
+Json checked_size(const Json& v) {
+  Settings scratch;
+  set(scratch, "size", size_array(v));
+  return size_text(scratch);
+}
+void apply_size(Settings& s, const Json& v, SceneCache&) { set(s, "size", size_array(v)); }
+
+// clang-format off
+constexpr StudyPath kPaths[] = {
+    {"preset", "whole settings by id", checked_preset, apply_preset, [](const Settings&) { return Json(nullptr); }},
+    {"scene", "with its camera, lights and look", checked_scene, apply_scene_by_name, [](const Settings& s) { return Json(s.scene); }},
+    {"lights", "how many are generated", checked_lights, apply_lights, [](const Settings& s) { return Json(s.lights.count); }},
+    {"camera.seed", "0: as set; k: the k-th seeded camera", checked_seed, apply_seed, [](const Settings&) { return Json(0); }},
+    {"size", "\"WIDTHxHEIGHT\" or [WIDTH, HEIGHT]", checked_size, apply_size, size_text},
+};
+// clang-format on
+
+const StudyPath* special(std::string_view path) {
+  for (const StudyPath& p : kPaths)
+    if (p.path == path) return &p;
+  return nullptr;
+}
+
+// An option that a study may set; Error with the nearest paths.
+const Option& study_option(std::string_view path) {
+  std::vector<std::string_view> known;
+  for (const StudyPath& p : kPaths) known.emplace_back(p.path);
+  for (const Option& o : options()) {
+    if (o.group != Group::view && o.path == path) return o;
+    if (o.group != Group::view && !special(o.path)) known.emplace_back(o.path);
+  }
+  if (path.starts_with("view."))
+    throw Error(ExitCode::bad_input, path, "a study measures what is drawn, whatever is looked at", "leave it out");
+  throw Error(ExitCode::bad_input, path, "unknown path", suggest(path, known));
+}
+
+const Json* find(const std::vector<Coordinate>& list, std::string_view path) {
+  for (const Coordinate& c : list)
+    if (c.path == path) return &c.value;
+  return nullptr;
+}
+
+}  // namespace
+
+const Scene& SceneCache::get(const std::string& name) {
+  std::shared_ptr<const Scene>& scene = scenes_[name];
+  if (!scene) scene = open_(name);
+  return *scene;
+}
+
+std::span<const StudyPath> study_paths() { return kPaths; }
+
+void check_path(std::string_view path) {
+  if (!special(path)) study_option(path);
+}
+
+Json checked_value(std::string_view path, const Json& value) {
+  if (const StudyPath* p = special(path)) return p->checked(value);
+  return checked_option(study_option(path), value);
+}
+
+Settings settings_of(const std::vector<Coordinate>& checked, SceneCache& scenes) {
+  Settings s;
+  if (!find(checked, "preset") && !find(checked, "scene")) apply_scene(s, s.scene, scenes.get(s.scene));
+  for (const StudyPath& p : kPaths) {
+    if (std::string_view(p.path) == "size") s.size = kDefaultSize;  // a preset's own would compare other pictures
+    if (const Json* value = find(checked, p.path)) p.apply(s, *value, scenes);
+  }
+  for (const Coordinate& c : checked)
+    if (!special(c.path)) set(s, c.path, c.value);
+  s.view = {};
+  return s;
+}
+
+Json value_at(std::string_view path, const std::vector<Coordinate>& list, const Settings& s) {
+  if (const StudyPath* p = special(path)) {
+    const Json* value = find(list, path);
+    return value ? *value : p->of(s);
+  }
+  return study_option(path).get(s);
+}
+
+std::string text_of(const Coordinate& c) {
+  const Json& v = c.value;
+  // Options that are numbers keep doubles: 100 is not to be printed as 100.0.
+  const bool whole = v.is_number_float() && v == std::floor(v.get<double>()) && std::abs(v.get<double>()) < 1e15;
+  const std::string text = v.is_string() ? v.get<std::string>() : whole ? Json(v.get<long long>()).dump() : v.dump();
+  return fmt::format("{}={}", c.path, text);
+}
+
+}  // namespace gbl

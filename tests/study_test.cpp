@@ -1,0 +1,144 @@
+#include "renderer/study/study.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+// n cases that differ in their lights.
+StudyPlan plan_of(int n) {
+  StudyPlan plan{"counting", {}, {}};
+  for (int i = 0; i < n; ++i) {
+    StudyCase c{"lights=" + std::to_string(i), {}, {{"lights", i}}};
+    c.settings.lights.count = i;
+    plan.cases.push_back(c);
+  }
+  return plan;
+}
+
+const std::atomic<bool> kOn{false};
+Json measure(const StudyCase& c) { return {{"mib", c.settings.lights.count}, {"study", "not this one"}}; }
+Json measure_but_the_third(const StudyCase& c) {
+  if (c.settings.lights.count == 2) throw Error(ExitCode::unfinished, "lighting", "no memory");
+  return measure(c);
+}
+
+struct Desk {
+  TemporaryFolder folder{"study"};
+  Journal journal{folder / "rows.jsonl"};
+};
+
+TEST(RunStudy, ARowSaysWhoseItIs) {
+  Desk desk;
+  const StudyPlan plan = plan_of(2);
+  const StudyCounts counts = run_study(plan, {}, desk.journal, measure, {}, kOn);
+  EXPECT_EQ(counts.measured, 2u);
+  EXPECT_EQ(counts.failed + counts.before + counts.left, 0u);
+  const Json expected = {{"study", "counting"},
+                         {"case", "lights=1"},
+                         {"key", row_key(plan.cases[1].settings)},
+                         {"at", {{"lights", 1}}},
+                         {"mib", 1}};
+  EXPECT_EQ(desk.journal.rows().at(1), expected);
+}
+
+TEST(RunStudy, AFailureIsARowAndTheStudyGoesOn) {
+  Desk desk;
+  const StudyCounts counts = run_study(plan_of(4), {}, desk.journal, measure_but_the_third, {}, kOn);
+  EXPECT_EQ(counts.measured, 3u);
+  EXPECT_EQ(counts.failed, 1u);
+  const Json& row = desk.journal.rows().at(2);
+  EXPECT_EQ(row["failed"], "lighting: no memory");
+  EXPECT_EQ(row["settings"]["lights"]["count"], 2);
+  EXPECT_EQ(row["at"]["lights"], 2);
+
+  const auto no_memory = [](const StudyCase&) -> Json { throw std::bad_alloc(); };
+  EXPECT_EQ(run_study(plan_of(3), {}, desk.journal, no_memory, {}, kOn).failed, 1u) << "the two others are there";
+}
+
+TEST(RunStudy, SkipsWhatIsThereAndTriesAgainWhatFailed) {
+  Desk desk;
+  run_study(plan_of(4), {}, desk.journal, measure_but_the_third, {}, kOn);
+  std::vector<std::string> asked;
+  const auto noted = [&](const StudyCase& c) { return asked.push_back(c.id), measure(c); };
+  const StudyCounts counts = run_study(plan_of(5), {}, desk.journal, noted, {}, kOn);
+  EXPECT_EQ(counts.before, 3u);
+  EXPECT_EQ(counts.measured, 2u);
+  EXPECT_EQ(asked, (std::vector<std::string>{"lights=2", "lights=4"}));
+  ASSERT_EQ(desk.journal.rows().size(), 5u);
+  EXPECT_FALSE(desk.journal.rows()[2].contains("failed"));
+}
+
+TEST(RunStudy, ShardsTakeEachCaseExactlyOnce) {
+  const StudyPlan plan = plan_of(11);
+  for (size_t n = 1; n <= 13; ++n) {
+    std::multiset<std::string> seen;
+    for (size_t i = 1; i <= n; ++i) {
+      Desk desk;
+      const auto noted = [&](const StudyCase& c) { return seen.insert(c.id), measure(c); };
+      run_study(plan, {i, n}, desk.journal, noted, {}, kOn);
+    }
+    EXPECT_EQ(seen.size(), plan.cases.size()) << n;
+    for (const StudyCase& c : plan.cases) EXPECT_EQ(seen.count(c.id), 1u) << n;
+  }
+}
+
+TEST(RunStudy, StopsBetweenRowsWhenCancelled) {
+  Desk desk;
+  std::atomic<bool> cancel{false};
+  const auto second_cancels = [&](const StudyCase& c) { return cancel = c.settings.lights.count == 1, measure(c); };
+  const StudyCounts counts = run_study(plan_of(5), {}, desk.journal, second_cancels, {}, cancel);
+  EXPECT_EQ(counts.measured, 2u) << "the row that was begun is kept";
+  EXPECT_EQ(counts.left, 3u);
+  EXPECT_EQ(desk.journal.rows().size(), 2u);
+}
+
+TEST(RunStudy, AnInterruptedRowIsNoFailure) {
+  Desk desk;
+  const auto interrupted = [](const StudyCase& c) -> Json {
+    if (c.settings.lights.count == 1) throw Error(ExitCode::interrupted, "", "stopped");
+    return measure(c);
+  };
+  const StudyCounts counts = run_study(plan_of(5), {}, desk.journal, interrupted, {}, kOn);
+  EXPECT_EQ(counts.failed, 0u);
+  EXPECT_EQ(counts.left, 4u);
+  EXPECT_EQ(desk.journal.rows().size(), 1u);
+}
+
+TEST(RunStudy, TellsHowFarItIs) {
+  Desk desk;
+  run_study(plan_of(1), {}, desk.journal, measure, {}, kOn);
+  std::vector<StudyProgress> told;
+  run_study(
+      plan_of(4), {}, desk.journal, measure_but_the_third, [&](const StudyProgress& p) { told.push_back(p); }, kOn);
+  ASSERT_EQ(told.size(), 4u);  // before each of three, and at the end
+  EXPECT_EQ(told[0].done, 1u);
+  EXPECT_EQ(told[0].total, 4u);
+  EXPECT_FALSE(told[0].seconds_left) << "nothing measured yet: unknown, not zero";
+  EXPECT_EQ(told[0].next->id, "lights=1");
+  ASSERT_TRUE(told[1].seconds_left);
+  EXPECT_GE(*told[1].seconds_left, 0);
+  EXPECT_EQ(told[3].done, 4u);
+  EXPECT_EQ(told[3].failed, 1u);
+  EXPECT_EQ(told[3].seconds_left, 0);
+  EXPECT_EQ(told[3].next, nullptr);
+}
+
+TEST(ParseShard, ReadsAndRefuses) {
+  EXPECT_EQ(parse_shard("2/3").index, 2u);
+  EXPECT_EQ(parse_shard("2/3").of, 3u);
+  EXPECT_EQ(parse_shard("1/1").of, 1u);
+  for (const char* text : {"", "2", "/3", "2/", "2/3x", "a/b", "-1/3", "1.5/3", "2 / 3"}) {
+    const std::string line = error_line(ExitCode::bad_input, [&] { parse_shard(text); });
+    EXPECT_TRUE(contains(line, "--shard") && contains(line, "write i/n")) << line;
+  }
+  EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [] { parse_shard("0/3"); }), "count from 1"));
+  EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [] { parse_shard("4/3"); }), "beyond the last"));
+  EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [] { parse_shard("1/0"); }), "beyond the last"));
+}
+
+}  // namespace
+}  // namespace gbl
