@@ -42,6 +42,11 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_flag("--fresh", a.fresh, "start from the preset; nothing is remembered between runs, so this is always so");
     app.add_option("--frames", a.frames, "draw so many frames and leave")->check(CLI::NonNegativeNumber);
   }
+  if (command == "study") {
+    app.add_option("spec", a.what, "a built-in study (list studies) or a spec's JSON file; default: tradeoff");
+    app.add_option("-o,--output", a.output, "folder of rows.jsonl and the charts, made if need be (default: out/NAME)");
+    app.add_option("--shard", a.shard, "i/n: every n-th case from the i-th, for several machines");
+  }
   if (command == "list") {
     app.add_option("what", a.what, "what to list; `list` alone names the choices");
     app.add_flag("--md", a.markdown, "as a Markdown table");

@@ -13,6 +13,7 @@
 #include "renderer/position_source.h"
 #include "renderer/presets.h"
 #include "renderer/scenes/builtin_scenes.h"
+#include "renderer/study/study_spec.h"
 #include "ui/ui.h"
 
 namespace gbl {
@@ -171,6 +172,16 @@ Rows lesson_rows() {
   return out;
 }
 
+Rows study_rows() {
+  Rows out;
+  for (const BuiltinStudy& study : builtin_studies()) {
+    Json j = base(study.id.c_str(), study.label.c_str());
+    j["sound"] = nullptr;
+    out.push_back({j});
+  }
+  return out;
+}
+
 struct List {
   const char* id;
   std::function<Rows()> rows;
@@ -189,6 +200,7 @@ const List kLists[] = {
     {"options", option_rows},
     {"keys", key_list},
     {"lessons", lesson_rows},
+    {"studies", study_rows},
 };
 
 const List& list_called(const std::string& what) {

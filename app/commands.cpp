@@ -11,7 +11,9 @@ namespace {
 constexpr Command kCommands[] = {
     {"view", "open the window: the lab itself", run_view},
     {"render", "draw without a window: each view as a PNG, a captioned sheet", run_render},
-    {"bench", "one set-up measured: times, pairs, bytes, draw calls", run_bench},
+    {"bench", "one set-up measured: errors against the reference, times, pairs, bytes", run_bench},
+    {"study", "many set-ups measured and charted: speed against accuracy; goes on where it was stopped",
+     run_study_command},
     {"list",
      "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons",
      run_list},

@@ -17,7 +17,7 @@ namespace gbl {
 // The command line, read but not yet judged: see settings_of() for the order in which its parts apply.
 struct Arguments {
   std::string command;  // empty: none given
-  std::string what;     // of `list`
+  std::string what;     // of `list` and `study`
 
   std::optional<std::string> scene, preset, state, rig, camera, size;
   std::optional<int> lights;
@@ -30,6 +30,7 @@ struct Arguments {
   std::optional<std::filesystem::path> output;  // -o DIR
   std::string only;                             // views, comma-separated
   bool raw = false, sheet = false;
+  std::optional<std::string> shard;  // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson;
   int frames = 0;  // of `view`: draw so many and leave; 0 = until closed
@@ -57,6 +58,7 @@ std::span<const Command> commands();
 ExitCode run_view(const Arguments&);
 ExitCode run_render(const Arguments&);
 ExitCode run_bench(const Arguments&);
+ExitCode run_study_command(const Arguments&);
 ExitCode run_list(const Arguments&);
 std::string list_markdown(const std::string& what);  // as `list WHAT --md` prints it; the README's tables are these
 ExitCode run_info(const Arguments&);

@@ -56,7 +56,13 @@ float V_SmithGGX(float n_dot_l, float n_dot_v, float alpha) {
   float v = n_dot_l * sqrt(n_dot_v * n_dot_v * (1.0 - a2) + a2);
   return 0.5 / max(l + v, 1e-7);
 }
-vec3 F_Schlick(vec3 f0, float v_dot_h) { return f0 + (1.0 - f0) * pow(1.0 - v_dot_h, 5.0); }
+// At grazing angles all is reflected, but by what reflects less than 2 % when it is faced: there is no such material, a
+// black metal stands for "reflects nothing" (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", section 3.1.1).
+// The cosine may come out a little above 1: a negative base is no number (`pow-negative-base`).
+vec3 F_Schlick(vec3 f0, float v_dot_h) {
+  float f90 = min(50.0 * max(max(f0.r, f0.g), f0.b), 1.0);
+  return f0 + (f90 - f0) * pow(max(1.0 - v_dot_h, 0.0), 5.0);
+}
 
 Lighting reflected(Surface s, vec3 to_light, float n_dot_l) {
 #if SHADING_MODEL == MODEL_LAMBERT

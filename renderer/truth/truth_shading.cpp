@@ -52,7 +52,9 @@ Reflected ggx(const TruthSurface& s, const glm::dvec3& to_light, double n_dot_l)
                          n_dot_v * std::sqrt(square(n_dot_l) * (1 - alpha2) + alpha2);
   const double visibility = 0.5 / std::max(masking, 1e-7);
   const double grazing = fifth_power(1 - std::max(glm::dot(s.to_eye, half), 0.0));
-  const glm::dvec3 fresnel = s.f0 + (1.0 - s.f0) * grazing;
+  // Below 2 % at normal incidence nothing shines at grazing angles either (Lagarde and de Rousiers 2014, 3.1.1).
+  const double f90 = std::min(50 * std::max({s.f0.x, s.f0.y, s.f0.z}), 1.0);
+  const glm::dvec3 fresnel = s.f0 + (f90 - s.f0) * grazing;
   return {n_dot_l * (1.0 - fresnel), n_dot_l * glm::pi<double>() * distribution * visibility * fresnel};
 }
 

@@ -1,0 +1,98 @@
+// `study`: a product of set-ups, each measured as a row; resumed, shared between machines, and drawn as a chart.
+#include <csignal>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/bench.h"
+#include "app/commands.h"
+#include "app/headless.h"
+#include "app/lab.h"
+#include "renderer/scene_look.h"
+#include "renderer/study/study.h"
+#include "renderer/study/study_files.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> interrupted{false};
+
+// Ctrl+C ends the row under way and keeps the others; a second one ends the program.
+class InterruptScope {
+ public:
+  InterruptScope() { before_ = std::signal(SIGINT, &InterruptScope::handle); }
+  ~InterruptScope() { std::signal(SIGINT, before_); }
+  InterruptScope(const InterruptScope&) = delete;
+
+ private:
+  static void handle(int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL);
+  }
+  void (*before_)(int);
+};
+
+std::string time_left(std::optional<double> seconds) {
+  if (!seconds) return "";
+  const int s = static_cast<int>(*seconds + 0.5);
+  return s >= 120 ? fmt::format(", {} min left", (s + 30) / 60) : fmt::format(", {} s left", s);
+}
+
+// One line that is written over on a terminal; in a log a line every so often.
+void print_progress(const StudyProgress& p) {
+  const bool terminal = isatty(STDERR_FILENO);
+  if (!terminal && p.next && p.done % 20 != 0) return;
+  const std::string what = p.next ? p.next->id : "done";
+  fmt::print(stderr, "{}{}/{}{}{}  {:.100}{}", terminal ? "\r\033[K" : "", p.done, p.total, time_left(p.seconds_left),
+             p.failed > 0 ? fmt::format(", {} failed", p.failed) : "", what, terminal && p.next ? "" : "\n");
+  std::fflush(stderr);
+}
+
+void print_left_out(const StudyPlan& plan) {
+  size_t invalid = 0;
+  for (const LeftOut& l : plan.left_out) {
+    if (l.by != LeftOutBy::invalid) continue;
+    if (++invalid <= 5) fmt::print(stderr, "gbufferlab: left out: {}: {}\n", l.id, l.reason);
+  }
+  if (invalid > 5) fmt::print(stderr, "gbufferlab: and {} more cases that this device cannot draw\n", invalid - 5);
+}
+
+Json measured_row(Lab& lab, Bench& bench, const Settings& s) {
+  require_valid(s, lab.limits());
+  lab.open(s.scene);
+  bench.start(s, lab.gpu_scene(), {});
+  bench.step(true);
+  return bench.row();
+}
+
+}  // namespace
+
+ExitCode run_study_command(const Arguments& a) {
+  const StudySpec spec = load_study(a.what.empty() ? "tradeoff" : a.what);
+  const Shard shard = a.shard ? parse_shard(*a.shard) : Shard{};
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  const StudyPlan plan = expand(
+      spec, [](const std::string& name) { return open_scene(name); }, lab.limits());
+  print_left_out(plan);
+  const fs::path folder = a.output.value_or(fs::path("out") / spec.name);
+  make_folder(folder);
+  Journal journal(folder / "rows.jsonl");
+  Bench bench(lab.renderer(), lab.cost(), lab.machine(), 3);
+  const InterruptScope scope;
+  const StudyCounts counts = run_study(
+      plan, shard, journal, [&](const StudyCase& c) { return measured_row(lab, bench, c.settings); }, print_progress,
+      interrupted);
+  write_study_files(folder, spec, journal.rows(), lab.machine());
+  const std::string summary = fmt::format("{}: {} rows measured, {} found, {} failed, {} left", spec.name,
+                                          counts.measured, counts.before, counts.failed, counts.left);
+  if (a.json)
+    fmt::print("{}\n", study_json(spec, journal.rows(), lab.machine()).dump(2));
+  else
+    fmt::print("{}; study.csv, .json, .svg, .png in {}\n", summary, folder.string());
+  if (interrupted) return ExitCode::interrupted;
+  return counts.failed > 0 ? ExitCode::check_failed : ExitCode::done;
+}
+
+}  // namespace gbl
