@@ -45,6 +45,7 @@ enum class Layout {
   compact,
   compact_metal,
   exact,
+  exact_emission,
   float32,
   auto_
 };

@@ -43,11 +43,13 @@ constexpr Attachment kCompact[] = {
 constexpr Attachment kCompactMetal[] = {
   of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
               "r: roughness bits 8-11, normal 28; g: roughness bits 0-7, base colour 8 8 8 sRGB-coded"),
-  of_geometry("gbuffer.reflectance", Stores::reflectance, Format::r32ui, "metal 6, occlusion 6, emission 7 7 6 sRGB-coded")};
+  of_geometry("gbuffer.reflectance", Stores::reflectance, Format::r32ui, "bit 31: it shines. Then emission 8 8 8 sRGB-coded as displayed, metal 3, occlusion 4; else metal 10, occlusion 10")};
 constexpr Attachment kExact[] = {
   of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
-              "r: base colour red 12, green 12, metal 8; g: blue 12, sRGB-coded, roughness 12, occlusion 8"),
-  of_geometry("gbuffer.emission", Stores::emission, Format::r32ui, "emission: 9 9 9 bits and a shared exponent of 5")};
+              "r: base colour 10 10 10 sRGB-coded, roughness bits 0-1; g: roughness bits 2-13, metal 10, occlusion 10")};
+constexpr Attachment kExactEmission[] = {
+  kExact[0],
+  of_geometry("gbuffer.emission", Stores::emission, Format::r32ui, "emission 11 11 10, sRGB-coded as displayed")};
 constexpr Attachment kFloat32[] = {
   of_geometry("gbuffer.albedo_roughness", Stores::material, Format::rgba32f, "rgb: albedo, linear; a: roughness"),
   of_geometry("gbuffer.reflectance", Stores::reflectance, Format::rgba32f, "rgb: F0; a: occlusion"),
@@ -64,7 +66,8 @@ constexpr LayoutRow kLayouts[] = {
   {Layout::viewspace, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .alpha_marks = true}, kViewspace},
   {Layout::compact, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true}, kCompact},
   {Layout::compact_metal, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true, .keeps_emission = true}, kCompactMetal},
-  {Layout::exact, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true, .keeps_emission = true}, kExact},
+  {Layout::exact, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true}, kExact},
+  {Layout::exact_emission, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = "", .words = true, .keeps_emission = true}, kExactEmission},
   {Layout::float32, {.shows = MaterialView::roughness, .srgb_coded_albedo = false, .roughness_missing = "", .keeps_emission = true}, kFloat32},
   {Layout::auto_, {.shows = MaterialView::roughness, .srgb_coded_albedo = true, .roughness_missing = ""}, {}},
 };

@@ -28,23 +28,27 @@ MaterialNeeds needs_of(const Scene& scene) {
 LayoutChoice choose_layout(const MaterialNeeds& needs) {
   if (!needs.any()) return {Layout::albedo_roughness, {"metal, emission and occlusion: no material has any"}};
   LayoutChoice choice{Layout::compact_metal, {}};
-  choice.left_out.push_back("the finer steps of metal and occlusion: 6 bits each are kept");
-  if (needs.emission) choice.left_out.push_back("emission above 1, and its finer steps: 20 bits are kept");
+  choice.left_out.push_back("the finer steps of metal and occlusion: 10 bits each are kept");
+  if (needs.emission)
+    choice.left_out.push_back(
+        "emission above the display's white, and beside it all but 7 bits of metal and occlusion");
   return choice;
 }
 
 Resolved resolve(const Settings& s, const Scene& scene) {
   Resolved out{s, {}};
-  if (s.layout != Layout::auto_ && s.layout != Layout::compact) return out;
-  const MaterialNeeds needs = needs_of(scene);
+  const auto choose = [&](Layout layout, const char* why) {
+    out.settings.layout = layout;
+    out.notes.push_back(fmt::format("layout: {}{}", row(layout).label, why));
+  };
   if (s.layout == Layout::auto_) {
-    LayoutChoice choice = choose_layout(needs);
-    out.settings.layout = choice.layout;
-    out.notes.push_back(fmt::format("layout: {}", row(choice.layout).label));
+    LayoutChoice choice = choose_layout(needs_of(scene));
+    choose(choice.layout, "");
     append(out.notes, std::move(choice.left_out));
-  } else if (needs.any()) {
-    out.settings.layout = Layout::compact_metal;
-    out.notes.push_back("layout: compact with a word more, since a material has metal, emission or occlusion");
+  } else if (s.layout == Layout::compact && needs_of(scene).any()) {
+    choose(Layout::compact_metal, ", since a material has metal, emission or occlusion");
+  } else if (s.layout == Layout::exact && needs_of(scene).emission) {
+    choose(Layout::exact_emission, ", since a material shines");
   }
   return out;
 }

@@ -129,18 +129,9 @@ float float_of(uint word, int first, int bits) {
   return float((word >> uint(first)) & uint((1 << bits) - 1)) / float((1 << bits) - 1);
 }
 
-// Three mantissas of 9 bits and an exponent of 5, as EXT_texture_shared_exponent, rounded by us.
-uint shared_exponent_of(vec3 c) {
-  c = clamp(c, vec3(0.0), vec3(65408.0));
-  float top = max(max(c.r, c.g), c.b);
-  int e = int(clamp(floor(log2(max(top, 1e-8))) + 16.0, 0.0, 31.0));
-  if (floor(top / exp2(float(e - 24)) + 0.5) > 511.0) ++e;
-  uvec3 m = uvec3(floor(c / exp2(float(e - 24)) + 0.5));
-  return m.r | m.g << 9 | m.b << 18 | uint(e) << 27;
-}
-vec3 colour_of_shared_exponent(uint w) {
-  return vec3(w & 511u, (w >> 9) & 511u, (w >> 18) & 511u) * exp2(float(int(w >> 27)) - 24.0);
-}
+// Emission is kept as the display shows it: what is above its white is lost, what is below it has the eye's steps.
+vec3 shown_emission(Surface s) { return coded_from_linear(min(s.emissive * shading.w, vec3(1.0))); }
+vec3 emission_of_shown(vec3 coded) { return linear_from_coded(coded) / shading.w; }
 
 // ---- material: what each layout keeps; the rest is as unpack_material says ---------------------------------
 vec3 coded8(vec3 linear) { return quantised8(coded_from_linear(linear)); }
@@ -183,11 +174,12 @@ uvec4 pack_material(Surface s) {
 #endif
   return uvec4(word | (rough >> 8) << 28, bits_of(c.r, 8) | bits_of(c.g, 8) << 8 | bits_of(c.b, 8) << 16 | (rough & 255u) << 24, 0u, 0u);
 }
-#elif LAYOUT == LAYOUT_EXACT
+#elif LAYOUT == LAYOUT_EXACT || LAYOUT == LAYOUT_EXACT_EMISSION
 uvec4 pack_material(Surface s) {
   vec3 c = coded_from_linear(base_of(s));
-  return uvec4(bits_of(c.r, 12) | bits_of(c.g, 12) << 12 | bits_of(s.metal, 8) << 24,
-               bits_of(c.b, 12) | bits_of(s.roughness, 12) << 12 | bits_of(s.occlusion, 8) << 24, 0u, 0u);
+  uint rough = bits_of(s.roughness, 14);
+  return uvec4(bits_of(c.r, 10) | bits_of(c.g, 10) << 10 | bits_of(c.b, 10) << 20 | rough << 30,
+               rough >> 2 | bits_of(s.metal, 10) << 12 | bits_of(s.occlusion, 10) << 22, 0u, 0u);
 }
 #else
 vec4 pack_material(Surface s) {
@@ -206,8 +198,10 @@ vec4 pack_material(Surface s) {
 #ifdef STORED_REFLECTANCE
 MATERIAL_TEXEL pack_reflectance(Surface s) {
 #if LAYOUT == LAYOUT_COMPACT_METAL
-  vec3 c = coded_from_linear(s.emissive);
-  return uvec4(bits_of(s.metal, 6) | bits_of(s.occlusion, 6) << 6 | bits_of(c.r, 7) << 12 | bits_of(c.g, 7) << 19 | bits_of(c.b, 6) << 26, 0u, 0u, 0u);
+  vec3 c = shown_emission(s);
+  uvec3 e = uvec3(bits_of(c.r, 8), bits_of(c.g, 8), bits_of(c.b, 8));
+  if ((e.r | e.g | e.b) == 0u) return uvec4(bits_of(s.metal, 10) | bits_of(s.occlusion, 10) << 10, 0u, 0u, 0u);
+  return uvec4(e.r | e.g << 8 | e.b << 16 | bits_of(s.metal, 3) << 24 | bits_of(s.occlusion, 4) << 27 | 0x80000000u, 0u, 0u, 0u);
 #elif LAYOUT == LAYOUT_FLOAT32
   return vec4(s.f0, s.occlusion);
 #elif LAYOUT == LAYOUT_STEREO
@@ -222,8 +216,9 @@ MATERIAL_TEXEL pack_reflectance(Surface s) {
 
 #ifdef STORED_EMISSION
 MATERIAL_TEXEL pack_emission(Surface s) {
-#if LAYOUT == LAYOUT_EXACT
-  return uvec4(shared_exponent_of(s.emissive), 0u, 0u, 0u);
+#if LAYOUT == LAYOUT_EXACT_EMISSION
+  vec3 c = shown_emission(s);
+  return uvec4(bits_of(c.r, 11) | bits_of(c.g, 11) << 11 | bits_of(c.b, 10) << 22, 0u, 0u, 0u);
 #elif LAYOUT == LAYOUT_STEREO
   return vec4(shading.z * s.ambient + s.emissive, 0.0);
 #else
@@ -268,19 +263,22 @@ void unpack_material(Stored t, inout Surface s) {
   s.emissive = t.emission.rgb;
   s.metal = t.emission.a;
 #elif MATERIAL_WORDS
-#if LAYOUT == LAYOUT_EXACT
-  vec3 base = linear_from_coded(vec3(float_of(t.material.x, 0, 12), float_of(t.material.x, 12, 12), float_of(t.material.y, 0, 12)));
-  s.metal = float_of(t.material.x, 24, 8);
-  s.roughness = float_of(t.material.y, 12, 12);
-  s.occlusion = float_of(t.material.y, 24, 8);
-  s.emissive = colour_of_shared_exponent(t.emission.x);
+#if LAYOUT == LAYOUT_EXACT || LAYOUT == LAYOUT_EXACT_EMISSION
+  vec3 base = linear_from_coded(vec3(float_of(t.material.x, 0, 10), float_of(t.material.x, 10, 10), float_of(t.material.x, 20, 10)));
+  s.roughness = float((t.material.y & 4095u) << 2 | t.material.x >> 30) / 16383.0;
+  s.metal = float_of(t.material.y, 12, 10);
+  s.occlusion = float_of(t.material.y, 22, 10);
+#if LAYOUT == LAYOUT_EXACT_EMISSION
+  s.emissive = emission_of_shown(vec3(float_of(t.emission.x, 0, 11), float_of(t.emission.x, 11, 11), float_of(t.emission.x, 22, 10)));
+#endif
 #else
   vec3 base = linear_from_coded(vec3(float_of(t.material.y, 0, 8), float_of(t.material.y, 8, 8), float_of(t.material.y, 16, 8)));
   s.roughness = float((t.material.x >> 28) << 8 | t.material.y >> 24) / 4095.0;
 #if LAYOUT == LAYOUT_COMPACT_METAL
-  s.metal = float_of(t.reflectance.x, 0, 6);
-  s.occlusion = float_of(t.reflectance.x, 6, 6);
-  s.emissive = linear_from_coded(vec3(float_of(t.reflectance.x, 12, 7), float_of(t.reflectance.x, 19, 7), float_of(t.reflectance.x, 26, 6)));
+  bool shines = t.reflectance.x >> 31 == 1u;
+  s.metal = shines ? float_of(t.reflectance.x, 24, 3) : float_of(t.reflectance.x, 0, 10);
+  s.occlusion = shines ? float_of(t.reflectance.x, 27, 4) : float_of(t.reflectance.x, 10, 10);
+  if (shines) s.emissive = emission_of_shown(vec3(float_of(t.reflectance.x, 0, 8), float_of(t.reflectance.x, 8, 8), float_of(t.reflectance.x, 16, 8)));
 #endif
 #endif
   s.albedo = base * (1.0 - s.metal);

@@ -145,6 +145,7 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   set->truth = reference_->truth();
   set->witness_lit = std::move(witness_lit_);
   set->lit_pairs = reference_->lit_pairs();
+  set->texels = reference_->texels();
   set->textures = upload(set->truth);
   return set;
 }

@@ -28,6 +28,7 @@ struct TruthSet {
   Truth truth;
   std::vector<glm::vec3> witness_lit;  // rows top to bottom
   uint64_t lit_pairs = 0;
+  std::vector<SeenTexel> texels;  // what it was worked out from, rows top to bottom
   TruthTextures textures;
 };
 

@@ -29,8 +29,13 @@ glm::dvec3 background_radiance(const Settings& s, const glm::dvec3& direction) {
   return glm::mix(glm::dvec3(0.62, 0.74, 0.86), glm::dvec3(0.10, 0.24, 0.55), std::pow(height, 0.6));
 }
 
-Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std::vector<SeenTexel> texels)
-    : settings_(s), scene_(std::move(scene)), texels_(std::move(texels)), geometry_(s, *scene_), model_(s) {
+Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std::vector<SeenTexel> texels,
+                     StoreFn store)
+    : settings_(s),
+      scene_(std::move(scene)),
+      texels_(std::move(texels)),
+      geometry_(s, *scene_, std::move(store)),
+      model_(s) {
   for (const Light& l : true_lights(s, *scene_)) lights_.push_back({l, l.position - s.camera.position});
   truth_.size = s.size;
   const size_t n = truth_.pixels();

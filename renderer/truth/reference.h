@@ -19,7 +19,8 @@ glm::dvec3 background_radiance(const Settings&, const glm::dvec3& direction);
 class Reference {
  public:
   // texels: size.x * size.y of the settings, rows top to bottom.
-  Reference(const Settings&, std::shared_ptr<const Scene>, std::vector<SeenTexel> texels);
+  // With `store` it is no truth, but what that way of storing materials would leave of it.
+  Reference(const Settings&, std::shared_ptr<const Scene>, std::vector<SeenTexel> texels, StoreFn store = {});
 
   // Works on the rows that are not done yet. False if it was cancelled; it can be called again to go on. The result
   // does not depend on the number of threads.
@@ -27,6 +28,7 @@ class Reference {
   double progress() const;  // 0..1; may be asked while run() works
 
   const Settings& settings() const { return settings_; }
+  const std::vector<SeenTexel>& texels() const { return texels_; }
   const Truth& truth() const { return truth_; }  // complete when progress() is 1
   // (pixel, light) pairs in which the light reaches the surface, whatever it faces.
   uint64_t lit_pairs() const;

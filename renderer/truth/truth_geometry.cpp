@@ -72,7 +72,8 @@ glm::dvec3 barycentrics(const Ray& ray, const glm::dvec3 (&c)[3]) {
   return nearest_on_border(finite ? met : c[0], c);
 }
 
-TruthGeometry::TruthGeometry(const Settings& s, const Scene& scene) : settings_(s), scene_(scene), model_(s) {
+TruthGeometry::TruthGeometry(const Settings& s, const Scene& scene, StoreFn store)
+    : settings_(s), scene_(scene), model_(s), store_(std::move(store)) {
   for (const Instance& i : scene.instances) {
     Placed p{i.world_from_object};
     p.relative_from_object[3] -= glm::dvec4(s.camera.position, 0);
@@ -105,6 +106,21 @@ glm::dvec3 TruthGeometry::shading_normal(const Placed& placed, const Material& m
   return glm::normalize(t * mapped.x + b * mapped.y + n * mapped.z);
 }
 
+TruthMaterial TruthGeometry::material_at(const Material& m, const Vertex* const (&corners)[3],
+                                         const glm::dvec3& weights, const SeenTexel& texel) const {
+  TruthMaterial out;
+  const glm::dvec3 vertex_colour = mixed(corners, weights, [](const Vertex& v) { return glm::dvec3(v.colour); });
+  out.base = glm::dvec3(texel.base) * colour_factor(glm::dvec3(m.base_colour), settings_.colour) * vertex_colour;
+  if (settings_.albedo == AlbedoSource::white) out.base = glm::dvec3(1);
+  out.metal = double(texel.seen.w) * m.metal;
+  out.roughness = double(texel.seen.z) * m.roughness;
+  const bool occluded = m.occlusion_texture.texture != kNoTexture;
+  out.occlusion = 1 + (occluded ? m.occlusion_strength : 0) * (double(texel.normal.w) - 1);
+  out.emission = m.unlit ? out.base : glm::dvec3(texel.emission) * glm::dvec3(m.emissive);  // unlit: as it is
+  out.unlit = m.unlit;
+  return out;
+}
+
 SurfaceAt TruthGeometry::at(const Ray& ray, const SeenTexel& texel) const {
   const auto index = static_cast<size_t>(texel.instance());
   const Instance& instance = scene_.instances[index];
@@ -125,25 +141,19 @@ SurfaceAt TruthGeometry::at(const Ray& ray, const SeenTexel& texel) const {
   s.to_eye = -glm::normalize(settings_.camera.orthographic() ? ray.direction : s.position);
   s.normal = shading_normal(placed, material, corners, weights, anticlockwise != placed.mirrored, texel.normal);
 
-  const glm::dvec3 vertex_colour = mixed(corners, weights, [](const Vertex& v) { return glm::dvec3(v.colour); });
-  glm::dvec3 base =
-      glm::dvec3(texel.base) * colour_factor(glm::dvec3(material.base_colour), settings_.colour) * vertex_colour;
-  if (settings_.albedo == AlbedoSource::white) base = glm::dvec3(1);
-  const double metal = double(texel.seen.w) * material.metal;
-  s.roughness = double(texel.seen.z) * material.roughness;
+  TruthMaterial stored = material_at(material, corners, weights, texel);
+  stored.normal = s.normal;
+  if (store_) store_(stored);
+  s.normal = stored.normal;
+  s.roughness = stored.roughness;
   s.exponent = model_.exponent(s.roughness);
-  s.unlit = material.unlit;
-  if (material.unlit) {  // shown as it is
-    out.emission = base;
-    return out;
-  }
-  s.albedo = base * (1 - metal);
-  s.f0 = glm::mix(glm::dvec3(model_.dielectric_f0), base, metal);
-  const bool occluded = material.occlusion_texture.texture != kNoTexture;
-  const double occlusion = 1 + (occluded ? material.occlusion_strength : 0) * (double(texel.normal.w) - 1);
+  s.unlit = stored.unlit;
+  out.emission = stored.emission;
+  if (stored.unlit) return out;
+  s.albedo = stored.base * (1 - stored.metal);
+  s.f0 = glm::mix(glm::dvec3(model_.dielectric_f0), stored.base, stored.metal);
   // Ambient light has no direction: GGX sends it back by albedo and F0, the classic models by the base colour.
-  out.ambient = occlusion * (model_.model == ShadingModel::ggx ? s.albedo + s.f0 : base);
-  out.emission = glm::dvec3(texel.emission) * glm::dvec3(material.emissive);
+  out.ambient = stored.occlusion * (model_.model == ShadingModel::ggx ? s.albedo + s.f0 : stored.base);
   return out;
 }
 

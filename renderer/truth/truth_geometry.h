@@ -1,5 +1,7 @@
 #pragma once
 // From "this triangle is seen through this pixel" to a surface point, in double.
+#include <functional>
+
 #include "renderer/truth/truth_shading.h"
 
 namespace gbl {
@@ -27,15 +29,27 @@ Ray pixel_ray(const Camera&, glm::ivec2 size, glm::ivec2 pixel);
 // (the rasteriser snaps corners to 1/256 of a pixel, so a pixel may see a triangle that its ray just misses).
 glm::dvec3 barycentrics(const Ray&, const glm::dvec3 (&corners)[3]);
 
+// What a G-buffer has to store of a surface point besides its position.
+struct TruthMaterial {
+  glm::dvec3 normal{0};  // world, unit
+  glm::dvec3 base{0};    // linear
+  double metal = 0, roughness = 1, occlusion = 1;
+  glm::dvec3 emission{0};  // radiance
+  bool unlit = false;
+};
+
 struct SurfaceAt {
   TruthSurface surface;
   glm::dvec3 ambient{0};   // share of ambient light that is sent back
   glm::dvec3 emission{0};  // radiance
 };
 
+// What a layout would make of a material: to ask in double how many bits a picture needs.
+using StoreFn = std::function<void(TruthMaterial&)>;
+
 class TruthGeometry {
  public:
-  TruthGeometry(const Settings&, const Scene&);
+  TruthGeometry(const Settings&, const Scene&, StoreFn store = {});
   SurfaceAt at(const Ray&, const SeenTexel&) const;
 
  private:
@@ -48,9 +62,13 @@ class TruthGeometry {
   glm::dvec3 shading_normal(const Placed&, const Material&, const Vertex* const (&corners)[3],
                             const glm::dvec3& weights, bool front, const glm::vec4& texel) const;
 
+  TruthMaterial material_at(const Material&, const Vertex* const (&corners)[3], const glm::dvec3& weights,
+                            const SeenTexel&) const;
+
   const Settings settings_;
   const Scene& scene_;
   const ShadingModelOf model_;
+  const StoreFn store_;
   std::vector<Placed> placed_;
 };
 
