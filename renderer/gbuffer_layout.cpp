@@ -39,10 +39,10 @@ constexpr Attachment kViewspace[] = {
   of_geometry("gbuffer.specular", Stores::reflectance, Format::rgba8, "rgb: specular colour; a: exponent / 256")};
 constexpr Attachment kCompact[] = {
   of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
-              "r: roughness bits 8-11, normal 28; g: roughness bits 0-7, albedo 8 8 8 sRGB-coded")};
+              "r: normal 28, roughness bits 6-9; g: albedo 9 9 8 sRGB-coded, roughness bits 0-5")};
 constexpr Attachment kCompactMetal[] = {
   of_geometry("gbuffer.material", Stores::material, Format::rg32ui,
-              "r: roughness bits 8-11, normal 28; g: roughness bits 0-7, base colour 8 8 8 sRGB-coded"),
+              "r: normal 28, roughness bits 6-9; g: base colour 9 9 8 sRGB-coded, roughness bits 0-5"),
   of_geometry("gbuffer.reflectance", Stores::reflectance, Format::r32ui, "bit 31: it shines. Then emission 8 8 8 sRGB-coded as displayed, metal 3, occlusion 4; else metal 10, occlusion 10")};
 constexpr Attachment kExact[] = {
   of_geometry("gbuffer.material", Stores::material, Format::rg32ui,

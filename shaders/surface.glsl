@@ -167,12 +167,12 @@ uvec4 pack_material(Surface s) {
 #else
   vec3 c = coded_from_linear(base_of(s));
 #endif
-  uint rough = bits_of(s.roughness, 12);
+  uint rough = bits_of(s.roughness, 10);
   uint word = 0u;
 #if NORMAL_IN_MATERIAL
   word = normal_word(s.normal);
 #endif
-  return uvec4(word | (rough >> 8) << 28, bits_of(c.r, 8) | bits_of(c.g, 8) << 8 | bits_of(c.b, 8) << 16 | (rough & 255u) << 24, 0u, 0u);
+  return uvec4(word | (rough >> 6) << 28, bits_of(c.r, 9) | bits_of(c.g, 9) << 9 | bits_of(c.b, 8) << 18 | (rough & 63u) << 26, 0u, 0u);
 }
 #elif LAYOUT == LAYOUT_EXACT || LAYOUT == LAYOUT_EXACT_EMISSION
 uvec4 pack_material(Surface s) {
@@ -272,8 +272,8 @@ void unpack_material(Stored t, inout Surface s) {
   s.emissive = emission_of_shown(vec3(float_of(t.emission.x, 0, 11), float_of(t.emission.x, 11, 11), float_of(t.emission.x, 22, 10)));
 #endif
 #else
-  vec3 base = linear_from_coded(vec3(float_of(t.material.y, 0, 8), float_of(t.material.y, 8, 8), float_of(t.material.y, 16, 8)));
-  s.roughness = float((t.material.x >> 28) << 8 | t.material.y >> 24) / 4095.0;
+  vec3 base = linear_from_coded(vec3(float_of(t.material.y, 0, 9), float_of(t.material.y, 9, 9), float_of(t.material.y, 18, 8)));
+  s.roughness = float((t.material.x >> 28) << 6 | t.material.y >> 26) / 1023.0;
 #if LAYOUT == LAYOUT_COMPACT_METAL
   bool shines = t.reflectance.x >> 31 == 1u;
   s.metal = shines ? float_of(t.reflectance.x, 24, 3) : float_of(t.reflectance.x, 0, 10);
