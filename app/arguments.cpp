@@ -42,6 +42,14 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_flag("--fresh", a.fresh, "start from the preset; nothing is remembered between runs, so this is always so");
     app.add_option("--frames", a.frames, "draw so many frames and leave")->check(CLI::NonNegativeNumber);
   }
+  if (command == "advise") {
+    add_settings(app, a);
+    app.add_option("--budget", a.budget, "codes of 255 as displayed that 99.9 % of the pixels must hold (default: 1)");
+    app.add_option("--budget-max", a.budget_max, "the same for every pixel");
+    app.add_option("--cost", a.cost, "what is to be small: time, bytes or pairs (default: time)");
+    app.add_flag("--apply", a.apply, "write the set-up to settings.json");
+    app.add_option("-o,--output", a.output, "folder of settings.json (default: out)");
+  }
   if (command == "study") {
     app.add_option("spec", a.what, "a built-in study (list studies) or a spec's JSON file; default: tradeoff");
     app.add_option("-o,--output", a.output, "folder of rows.jsonl and the charts, made if need be (default: out/NAME)");

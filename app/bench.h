@@ -8,8 +8,9 @@
 namespace gbl {
 
 struct BenchWishes {
-  bool errors = true;
-  bool times = true;
+  bool errors = true;   // against the reference
+  bool times = true;    // of repeated frames
+  bool columns = true;  // all of them; else of the errors only what bound() needs, and no counts
 };
 
 class Bench {
@@ -28,6 +29,7 @@ class Bench {
   // Of the row that is complete.
   Json row() const;
   const Errors& errors() const { return errors_; }
+  double total_ms() const;  // median; infinite if nothing was timed
   const FrameReport& report() const { return report_; }
   const std::shared_ptr<const TruthSet>& truth() const { return truth_; }  // null without errors
   const Drawn& drawn() const { return drawn_; }

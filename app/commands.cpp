@@ -14,6 +14,7 @@ constexpr Command kCommands[] = {
     {"bench", "one set-up measured: errors against the reference, times, pairs, bytes", run_bench},
     {"study", "many set-ups measured and charted: speed against accuracy; goes on where it was stopped",
      run_study_command},
+    {"advise", "the cheapest set-up for this scene that holds an error budget, and what it leaves out", run_advise},
     {"list",
      "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons",
      run_list},

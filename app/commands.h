@@ -30,7 +30,10 @@ struct Arguments {
   std::optional<std::filesystem::path> output;  // -o DIR
   std::string only;                             // views, comma-separated
   bool raw = false, sheet = false;
-  std::optional<std::string> shard;  // of `study`: "i/n"
+  std::optional<double> budget, budget_max;  // of `advise`: codes of 255 as displayed
+  std::string cost = "time";                 // of `advise`
+  bool apply = false;                        // of `advise`: write the settings
+  std::optional<std::string> shard;          // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson;
   int frames = 0;  // of `view`: draw so many and leave; 0 = until closed
@@ -59,6 +62,7 @@ ExitCode run_view(const Arguments&);
 ExitCode run_render(const Arguments&);
 ExitCode run_bench(const Arguments&);
 ExitCode run_study_command(const Arguments&);
+ExitCode run_advise(const Arguments&);
 ExitCode run_list(const Arguments&);
 std::string list_markdown(const std::string& what);  // as `list WHAT --md` prints it; the README's tables are these
 ExitCode run_info(const Arguments&);

@@ -36,10 +36,6 @@ gl::Texture uploaded(glm::ivec2 size, const char* label, Colour colour, Alpha al
 
 constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.normal", "seen.emission"};
 
-std::vector<glm::vec3> read_lit(const Targets& t) {
-  return rows_from_top<glm::vec3>(t.size(), gl::read_rgba32f(*t.texture(Stores::lit)));
-}
-
 }  // namespace
 
 Settings witness_of(const Settings& s, FeatureSet features) {
@@ -148,6 +144,10 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   set->texels = reference_->texels();
   set->textures = upload(set->truth);
   return set;
+}
+
+std::vector<glm::vec3> read_lit(const Targets& t) {
+  return rows_from_top<glm::vec3>(t.size(), gl::read_rgba32f(*t.texture(Stores::lit)));
 }
 
 Drawn read_drawn(Renderer& renderer, const Settings& drawn, const GpuScene& scene, Targets& targets, bool unlit) {

@@ -64,6 +64,9 @@ class TruthMaker {
   std::future<bool> work_;
 };
 
+// Linear radiance as drawn, rows top to bottom; waits for the GPU.
+std::vector<glm::vec3> read_lit(const Targets&);
+
 // What a set-up made of the truth; draws, and waits for the GPU. With `unlit` the frame is drawn once more without
 // lights, and the targets then hold that frame.
 Drawn read_drawn(Renderer&, const Settings& drawn, const GpuScene&, Targets&, bool unlit);

@@ -1,0 +1,137 @@
+// `advise`: the cheapest set-up for a scene that holds an error budget, what it leaves out and why, and the runner-up.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/bench.h"
+#include "app/commands.h"
+#include "app/headless.h"
+#include "app/lab.h"
+#include "renderer/image.h"
+#include "renderer/settings_json.h"
+#include "renderer/study/advisor.h"
+#include "renderer/study/seeded_camera.h"
+
+namespace gbl {
+namespace {
+
+constexpr const char* kUnits[] = {"ms", "bytes per pixel", "pairs"};
+
+ErrorBudget budget_of(const Arguments& a) {
+  if (a.budget && a.budget_max)
+    throw Error(ExitCode::bad_input, "--budget", "and --budget-max are both given", "choose one of them");
+  const double codes = a.budget_max.value_or(a.budget.value_or(1));
+  if (!(codes > 0 && codes <= 255))
+    throw Error(ExitCode::bad_input, a.budget_max ? "--budget-max" : "--budget",
+                fmt::format("{} is not in 0 ... 255", codes), "give codes of 255 as displayed, e.g. 1 or 0.5");
+  return {codes / 255, a.budget_max ? 0 : 0.001};
+}
+
+AdviceCost cost_of(const std::string& id) {
+  constexpr std::string_view kIds[] = {"time", "bytes", "pairs"};
+  for (int i = 0; i < 3; ++i)
+    if (id == kIds[i]) return static_cast<AdviceCost>(i);
+  throw Error(ExitCode::bad_input, "--cost", fmt::format("unknown cost '{}'", id), suggest(id, kIds, 3));
+}
+
+void show_progress(const std::string& what) {
+  if (!isatty(STDERR_FILENO)) return;
+  fmt::print(stderr, "\r\033[K{:.110}", what);
+  std::fflush(stderr);
+}
+
+Json json_of(const BoundCheck& b) {
+  return {{"compared", b.compared},
+          {"excused", b.excused},
+          {"over", b.over},
+          {"share_over", b.share_over()},
+          {"worst_codes", 255 * b.worst},
+          {"worst_pixel", {b.worst_pixel.x, b.worst_pixel.y}}};
+}
+
+Json json_of(const std::optional<AdvisedSetup>& s) {
+  if (!s) return nullptr;
+  return {{"setup", setup_in_words(s->settings)},  {"cost", s->cost},
+          {"bytes_per_pixel", s->bytes_per_pixel}, {"camera", s->proof.camera},
+          {"worst", json_of(s->proof.worst)},      {"settings", to_json(s->settings)}};
+}
+
+Json json_of(const std::vector<Tried>& all) {
+  Json out = Json::array();
+  for (const Tried& t : all)
+    out.push_back({{"what", t.what}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}});
+  return out;
+}
+
+void print_setup(const char* title, const std::optional<AdvisedSetup>& s, AdviceCost cost) {
+  if (!s) return;
+  fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, kUnits[static_cast<int>(cost)],
+             s->bytes_per_pixel, setup_in_words(s->settings));
+  if (!s->proof.what.empty())
+    fmt::print("  worst of {} cameras: {} of {} pixels over, the worst by {:.2f} codes at {}, {}; {} excused\n",
+               kAdviceCameras, s->proof.worst.over, s->proof.worst.compared, 255 * s->proof.worst.worst,
+               s->proof.worst.worst_pixel.x, s->proof.worst.worst_pixel.y, s->proof.worst.excused);
+}
+
+void print_text(const Advice& advice, AdviceCost cost) {
+  print_setup("cheapest", advice.best, cost);
+  print_setup("runner-up", advice.runner_up, cost);
+  for (const Tried& t : advice.rejected)
+    fmt::print("does not hold together: {} ({} pixels over, worst {:.2f} codes)\n", t.what, t.worst.over,
+               255 * t.worst.worst);
+  if (!advice.left_out.empty()) fmt::print("left out:\n");
+  for (const std::string& l : advice.left_out) fmt::print("  {}\n", l);
+}
+
+}  // namespace
+
+ExitCode run_advise(const Arguments& a) {
+  const ErrorBudget budget = budget_of(a);
+  const AdviceCost cost = cost_of(a.cost);
+  const auto [s, scene] = setup_of(a);
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  if (scene) lab.show(s.scene, scene);
+  lab.open(s.scene);
+  Bench bench(lab.renderer(), lab.cost(), lab.machine(), kAdviceCameras);
+  const auto measure_frame = [&](Settings setup, int camera, BenchWishes wishes) {
+    setup.camera = seeded_camera(lab.scene(), setup.camera, camera);
+    require_valid(setup, lab.limits());
+    bench.start(setup, lab.gpu_scene(), wishes);
+    bench.step(true);
+  };
+  const JudgeFn judge = [&](const Settings& setup, int camera) {
+    measure_frame(setup, camera, {.times = false, .columns = false});
+    return bench.bound(budget.display_difference);
+  };
+  const CostFn measure = [&](const Settings& setup) {
+    measure_frame(setup, 0, {.errors = false, .times = cost == AdviceCost::time});
+    const FrameReport& r = bench.report();
+    return cost == AdviceCost::time ? bench.total_ms() : double(r.pairs->tested + r.pairs->shaded);
+  };
+  const std::atomic<bool> never{false};
+  const Advice advice = advise(s, lab.scene(), budget, cost, lab.limits(), judge, measure, show_progress, never);
+  show_progress("");
+  if (a.json)
+    fmt::print("{}\n", Json{{"best", json_of(advice.best)},
+                            {"runner_up", json_of(advice.runner_up)},
+                            {"values", json_of(advice.values)},
+                            {"rejected", json_of(advice.rejected)},
+                            {"left_out", advice.left_out},
+                            {"cost_unit", kUnits[static_cast<int>(cost)]}}
+                           .dump(2));
+  else
+    print_text(advice, cost);
+  if (!advice.best) {
+    fmt::print(stderr, "gbufferlab: no set-up holds this budget: even float32 is beyond it somewhere\n");
+    return ExitCode::check_failed;
+  }
+  if (a.apply) {
+    const std::filesystem::path folder = a.output.value_or("out");
+    make_folder(folder);
+    write_text_file(folder / "settings.json", to_json(advice.best->settings).dump(2) + "\n");
+    fmt::print(stderr, "gbufferlab: written to {}; use it with --state\n", (folder / "settings.json").string());
+  }
+  return ExitCode::done;
+}
+
+}  // namespace gbl
