@@ -42,6 +42,10 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_flag("--fresh", a.fresh, "start from the preset; nothing is remembered between runs, so this is always so");
     app.add_option("--frames", a.frames, "draw so many frames and leave")->check(CLI::NonNegativeNumber);
   }
+  if (command == "stability") {
+    app.add_option("sweep", a.sweeps, "sweeps by id; default: all. An unknown one is answered with the known ones");
+    app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: stability)");
+  }
   if (command == "list") {
     app.add_option("what", a.what, "what to list; `list` alone names the choices");
     app.add_flag("--md", a.markdown, "as a Markdown table");

@@ -12,6 +12,8 @@ constexpr Command kCommands[] = {
     {"view", "open the window: the lab itself", run_view},
     {"render", "draw without a window: each view as a PNG, a captioned sheet", run_render},
     {"bench", "one set-up measured: times, pairs, bytes, draw calls", run_bench},
+    {"stability", "one parameter through the place where methods break, each curve with a statement that is checked",
+     run_stability},
     {"list",
      "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons",
      run_list},

@@ -1,0 +1,168 @@
+// Sweeps of light volumes: the camera through one, the far plane through one, meshes from coarse to fine.
+#include <fmt/format.h>
+
+#include "renderer/study/stability_scenes.h"
+#include "renderer/study/stability_sweeps.h"
+
+namespace gbl {
+namespace {
+
+constexpr glm::ivec2 kSize{96, 54};
+
+void draw_volumes(Settings& s) {
+  s.lights.method = LightMethod::volumes;
+  s.lights.volume = {VolumeLevel::l2, VolumeFit::circumscribed, VolumeClip::planes, VolumeDepth::none};
+}
+
+// ---- light-distance -------------------------------------------------------------------------------------------------
+
+constexpr double kRange = 5, kNear = 0.5;
+
+std::vector<double> light_distances() {
+  return {-1,  0,    1,   2,    3,   4,    4.5, 4.8, 4.9, 5,   5.02, 5.05, 5.1, 5.2, 5.3,
+          5.4, 5.45, 5.5, 5.55, 5.6, 5.65, 5.7, 5.8, 6,   6.5, 7,    8,    10,  12,  15};
+}
+
+SweepSetup light_at_distance(double distance) {
+  SweepSetup setup = wall_setup(fmt::format("sweep:light-distance/{}", distance), kSize, wall_at({0, 0, -2.5}, 30),
+                                {lamp({0, 0, 0}, kRange)});
+  setup.settings.camera.position = {0, 0, distance};
+  setup.settings.camera.near = kNear, setup.settings.camera.far = 100;
+  draw_volumes(setup.settings);
+  return setup;
+}
+
+Curve cull_curve(LightCull cull, VolumeFit fit, Expected expected) {
+  return {fmt::format("cull={} fit={}", row(cull).id, row(fit).id),
+          [=](Settings& s) { s.lights.cull = cull, s.lights.volume.fit = fit; },
+          {expected}};
+}
+
+std::vector<Curve> light_distance_curves(const DeviceRounding&) {
+  using C = LightCull;
+  const auto out = VolumeFit::circumscribed, in = VolumeFit::inscribed;
+  return {
+      cull_curve(C::back, out, FailsIn{.from = -1, .to = 5.45, .beyond = 5.6, .holds = 0, .fails = 0.99}),
+      cull_curve(C::none, out, FailsIn{.before = 5, .from = 6.5, .to = kNoEnd, .holds = 0, .fails = 0.3}),
+      cull_curve(C::flip, out, FailsIn{.before = 4.9, .from = 5, .to = 5.45, .beyond = 5.6, .holds = 0, .fails = 0.99}),
+      cull_curve(C::front, out, Flat{0}),
+      cull_curve(C::flip_safe, out, Flat{0}),
+      cull_curve(C::back, in, FailsIn{.from = -1, .to = 5.4, .beyond = 5.5, .holds = 0.05, .fails = 0.99}),
+      cull_curve(C::none, in, FailsIn{.before = 4.8, .from = 6.5, .to = kNoEnd, .holds = 0.05, .fails = 0.3}),
+      cull_curve(C::flip, in,
+                 FailsIn{.before = 4.8, .from = 5, .to = 5.4, .beyond = 5.5, .holds = 0.05, .fails = 0.99}),
+      cull_curve(C::front, in, Flat{0.05}),
+      cull_curve(C::flip_safe, in, Flat{0.05}),
+  };
+}
+
+// ---- far-plane ------------------------------------------------------------------------------------------------------
+
+std::vector<double> far_planes() {
+  return {106, 108, 110, 112, 115, 120, 125, 130, 135, 138, 140, 141, 142, 143, 145, 150, 170, 200};
+}
+
+// The light's centre is 100 units away, its range 40, the wall 5 units behind it: surfaces are always in front of the
+// far plane, the volume's back faces not.
+SweepSetup far_plane_at(double far) {
+  SweepSetup setup =
+      wall_setup(fmt::format("sweep:far-plane/{}", far), kSize, wall_at({0, 0, -105}, 150), {lamp({0, 0, -100}, 40)});
+  setup.settings.camera.near = 1, setup.settings.camera.far = far;
+  draw_volumes(setup.settings);
+  return setup;
+}
+
+Curve clip_curve(VolumeClip clip, LightCull cull, Expected expected) {
+  return {fmt::format("clip={} cull={}", row(clip).id, row(cull).id),
+          [=](Settings& s) { s.lights.volume.clip = clip, s.lights.cull = cull; },
+          {expected}};
+}
+
+std::vector<Curve> far_plane_curves(const DeviceRounding&) {
+  using C = LightCull;
+  return {
+      clip_curve(VolumeClip::planes, C::front,
+                 FailsIn{.from = 106, .to = 112, .beyond = 143, .holds = 0, .fails = 0.8}),
+      clip_curve(VolumeClip::planes, C::back, Flat{0}),
+      clip_curve(VolumeClip::planes, C::flip_safe, Flat{0}),
+      clip_curve(VolumeClip::none, C::front, Flat{0}),
+      clip_curve(VolumeClip::none, C::back, Flat{0}),
+  };
+}
+
+// ---- volume-level ---------------------------------------------------------------------------------------------------
+
+std::vector<double> levels() { return {0, 1, 2, 3, 4}; }
+
+// 4 units off the wall: through its centre the rim of the light is too faint for its loss to be seen.
+SweepSetup volume_level_at(double level) {
+  SweepSetup setup = wall_setup("sweep:volume-level", {160, 90}, wall_at({0, 0, -4}, 100), {lamp({0, 0, 0}, 20)});
+  setup.settings.camera.position = {0, 0, 60};
+  setup.settings.camera.far = 200;
+  draw_volumes(setup.settings);
+  setup.settings.lights.cull = LightCull::front;
+  setup.settings.lights.volume.clip = VolumeClip::none;
+  setup.settings.lights.volume.level = static_cast<VolumeLevel>(static_cast<int>(level));
+  return setup;
+}
+
+Curve fit_curve(VolumeFit fit, Attenuation attenuation, Expected expected) {
+  return {fmt::format("fit={} attenuation={}", row(fit).id, row(attenuation).id),
+          [=](Settings& s) { s.lights.volume.fit = fit, s.attenuation = attenuation; },
+          {expected}};
+}
+
+std::vector<Curve> volume_level_curves(const DeviceRounding&) {
+  const auto out = VolumeFit::circumscribed, in = VolumeFit::inscribed;
+  return {
+      fit_curve(in, Attenuation::none, FailsIn{.from = 0, .to = 1, .beyond = 3, .holds = 0.01, .fails = 0.01}),
+      fit_curve(in, Attenuation::linear, FailsIn{.from = 0, .to = 1, .beyond = 3, .holds = 0.01, .fails = 0.01}),
+      fit_curve(out, Attenuation::none, Flat{0}),
+      fit_curve(out, Attenuation::linear, Flat{0}),
+  };
+}
+
+}  // namespace
+
+Sweep light_distance_sweep() {
+  return {.id = "light-distance",
+          .label = "The camera leaves a light's volume",
+          .parameter = "distance of the camera from the light's centre",
+          .unit = "units",
+          .log_axis = false,
+          .metric = "over_1_255_display",
+          .help =
+              "a light of range 5 before a wall, near plane 0.5, volumes clipped by the planes: each culling rule "
+              "loses or doubles the whole light in its own band",
+          .values = light_distances,
+          .curves = light_distance_curves,
+          .at = light_at_distance};
+}
+
+Sweep far_plane_sweep() {
+  return {.id = "far-plane",
+          .label = "The far plane through a light's volume",
+          .parameter = "far plane",
+          .unit = "units",
+          .log_axis = false,
+          .metric = "lost_share",
+          .help = "a light of range 40, 100 units away, a wall 5 units behind it: back faces end at 140 to 143",
+          .values = far_planes,
+          .curves = far_plane_curves,
+          .at = far_plane_at};
+}
+
+Sweep volume_level_sweep() {
+  return {.id = "volume-level",
+          .label = "Light volumes from coarse to fine",
+          .parameter = "level of the icosphere",
+          .unit = "",
+          .log_axis = false,
+          .metric = "lost_share",
+          .help = "a light of range 20, 4 units off a wall: a mesh inside the sphere cuts notches into the rim",
+          .values = levels,
+          .curves = volume_level_curves,
+          .at = volume_level_at};
+}
+
+}  // namespace gbl
