@@ -12,6 +12,7 @@ constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", 
 // gnuplot's numbers: disc, square, triangles, diamond, pentagon; the same open; plus, cross, star. 13 shapes and 7
 // colours have no common factor: 91 curves differ.
 constexpr int kShapes[] = {7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14, 1};
+constexpr double kDecades = 1e-10;        // more are not drawn: float arithmetic's own dust
 constexpr double kLogarithmicFrom = 100;  // largest over smallest value above 0
 
 // In single quotes nothing is special but the quote itself.
@@ -55,11 +56,12 @@ std::string quoted_lines(const std::string& text) {
 struct ValueAxis {
   bool logarithmic = false, zeros = false, not_finite = false;
   double low = 0, high = 1;  // of the axis
+  double least = 0;          // smaller values are drawn as 0 is
   double zero_at = 0, top = 1;
 
   double place(double value) const {
     if (!std::isfinite(value)) return top;
-    return logarithmic && !(value > 0) ? zero_at : value;
+    return logarithmic && value < least ? zero_at : value;
   }
 };
 
@@ -77,6 +79,8 @@ ValueAxis axis_of(const SweepResult& result) {
   const bool counts_shares = a.zeros && most <= 1 && least > 1e-3;
   a.logarithmic = most > kLogarithmicFrom * least && !counts_shares;
   if (a.logarithmic) {
+    a.zeros |= least < kDecades * most;
+    least = a.least = std::max(least, kDecades * most);
     a.zero_at = std::pow(10, std::floor(std::log10(least)) - 1), a.top = 10 * most;
     a.low = a.zeros ? a.zero_at / 2 : least / 2, a.high = (a.not_finite ? 20 : 2) * most;
   } else {
@@ -88,7 +92,7 @@ ValueAxis axis_of(const SweepResult& result) {
 std::string axis_lines(const ValueAxis& a) {
   std::string text = fmt::format("set yrange [{}:{}]\n", a.low, a.high);
   if (a.logarithmic) text += "set logscale y\nset format y '%g'\n";
-  if (a.logarithmic && a.zeros) text += fmt::format("set ytics add ('0' {})\n", a.zero_at);
+  if (a.logarithmic && a.zeros) text += fmt::format("set ytics add ('0…' {})\n", a.zero_at);
   if (a.not_finite) text += fmt::format("set ytics add ('not finite' {})\n", a.top);
   return text;
 }
@@ -112,11 +116,19 @@ double line_width(size_t i, size_t count) {
   return 1.5 + 5.0 * double(count - 1 - i) / double(std::max<size_t>(count, 2) - 1);
 }
 
+// gnuplot's own would end at whole decades.
+std::string range_of(const SweepResult& result) {
+  double least = kNoEnd, most = 0;
+  for (const CurveResult& c : result.curves)
+    for (const SweepRow& r : c.rows) least = std::min(least, r.x), most = std::max(most, r.x);
+  return most > 0 ? fmt::format("set xrange [{}:{}]\n", least / 1.3, most * 1.3) : "";
+}
+
 std::string curves_text(const SweepResult& result) {
   const Sweep& s = *result.sweep;
   const ValueAxis axis = axis_of(result);
   std::string text = axis_lines(axis) + fmt::format("set xlabel {}\n", quoted(titled(s.parameter, s.unit)));
-  if (s.log_axis) text += "set logscale x\nset format x '%g'\n";
+  if (s.log_axis) text += "set logscale x\nset format x '%g'\n" + range_of(result);
   std::string plot;
   size_t drawn = 0;
   for (const CurveResult& c : result.curves) {
@@ -174,11 +186,12 @@ std::string stability_script(const SweepResult& result, const std::string& devic
       fmt::format("set terminal {} size 1280,800 font 'DejaVu Sans,12' noenhanced background '#ffffff'\n",
                   file == StabilityFile::svg ? "svg" : "pngcairo");
   text += "set encoding utf8\nset datafile separator \"\\t\"\nset grid lc rgb '#dddddd'\nset key outside right top\n";
-  text += fmt::format("set title {}\n", quoted_lines(fmt::format("{}\n{}\n{}", s.label, wrapped(s.help, 100), device)));
+  text += fmt::format("set title {}\n", quoted_lines(fmt::format("{}\n{}\n{}", s.label, wrapped(s.help, 80), device)));
   if (has_families(s))
     return text + "set ylabel 'configurations with any pixel over 1/255 (%)'\n" + families_text(result);
   return text +
-         fmt::format("set ylabel {}\n", quoted(titled(fmt::format("{}: {}", metric.id, metric.help), metric.unit))) +
+         fmt::format("set ylabel {}\n",
+                     quoted_lines(titled(metric.id, metric.unit) + "\n" + wrapped(metric.help, 70))) +
          curves_text(result);
 }
 

@@ -37,11 +37,11 @@ std::vector<Curve> light_count_curves(const DeviceRounding& rounding) {
   const bool half_truncates = rounding.half_blend == StoreRounding::toward_zero;
   const bool r11_truncates = rounding.r11 == StoreRounding::toward_zero;
   return {
-      sum_curve(F::rgba8, Diverges{.up_to = 1, .from = 192, .holds = 0.01, .fails = 0.99}),
-      sum_curve(F::r11g11b10f, r11_truncates ? Diverges{.up_to = 1, .from = 64, .holds = 0.05, .fails = 0.2}
-                                             : Diverges{.up_to = 1, .from = 256, .holds = 0.05, .fails = 0.2}),
-      sum_curve(F::rgba16f, half_truncates ? Diverges{.up_to = 16, .from = 1024, .holds = 0.01, .fails = 0.1}
-                                           : Diverges{.up_to = 16, .from = 4096, .holds = 0.01, .fails = 0.1}),
+      sum_curve(F::rgba8, Diverges{.up_to = 8, .from = 192, .holds = 0.01, .fails = 0.99}),
+      sum_curve(F::r11g11b10f, r11_truncates ? Diverges{.up_to = 8, .from = 64, .holds = 0.04, .fails = 0.2}
+                                             : Diverges{.up_to = 32, .from = 256, .holds = 0.04, .fails = 0.2}),
+      sum_curve(F::rgba16f, half_truncates ? Diverges{.up_to = 32, .from = 512, .holds = 0.01, .fails = 0.08}
+                                           : Diverges{.up_to = 512, .from = 4096, .holds = 0.01, .fails = 0.08}),
       sum_curve(F::rgba32f, Flat{1e-4}),
   };
 }

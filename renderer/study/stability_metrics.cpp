@@ -19,6 +19,12 @@ std::optional<double> lost_share(const SweepSetup&, const Measured& m) {
   return lit > 0 && m.errors.lost_pixels ? std::optional(*m.errors.lost_pixels / lit) : std::nullopt;
 }
 
+std::optional<double> wrong_light_share(const SweepSetup&, const Measured& m) {
+  const double lit = lit_pixels(*m.truth);
+  if (!(lit > 0) || !m.errors.lost_pixels || !m.errors.doubled_pixels) return std::nullopt;
+  return (*m.errors.lost_pixels + *m.errors.doubled_pixels) / lit;
+}
+
 // Both signs count: a format may add too much as well as too little.
 std::optional<double> mean_off(const SweepSetup&, const Measured& m) {
   double sum = 0;
@@ -61,6 +67,8 @@ std::optional<double> rim_step(const SweepSetup& setup, const Measured& m) {
 
 constexpr SweepMetric kOwn[] = {
     {"lost_share", "", "share of the lit pixels with less than half their light", lost_share},
+    {"wrong_light_share", "",
+     "share of the lit pixels with less than half or more than one and a half times their light", wrong_light_share},
     {"mean_off", "", "mean difference over the true mean, without its sign", mean_off},
     {"rim_step", "codes of 255", "largest step across the first light's rim in the reference, as displayed", rim_step},
 };

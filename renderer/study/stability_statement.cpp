@@ -8,7 +8,7 @@ namespace gbl {
 namespace {
 
 std::string quantity(double value, const std::string& unit) {
-  return unit.empty() ? fmt::format("{:.3g}", value) : fmt::format("{:.3g} {}", value, unit);
+  return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
 }
 
 struct Writer {
@@ -21,7 +21,7 @@ struct Writer {
     if (std::isinf(from) && std::isinf(to)) return "everywhere";
     if (std::isinf(from)) return "up to " + x(to);
     if (std::isinf(to)) return "from " + x(from) + " on";
-    return fmt::format("from {:.3g} to {}", from, x(to));
+    return fmt::format("from {:.4g} to {}", from, x(to));
   }
 
   std::string operator()(const Flat& e) const {
@@ -39,7 +39,7 @@ struct Writer {
                        y(e.holds), holds);
   }
   std::string operator()(const Grows& e) const {
-    return fmt::format("goes with the power {:.3g} (within {:.2g}) of the {} {}: {} is {:.3g} to {} at {}", e.slope,
+    return fmt::format("goes with the power {:.4g} (within {:.2g}) of the {} {}: {} is {:.4g} to {} at {}", e.slope,
                        e.tolerance, words.parameter, stretch(e.from, e.to), words.metric, e.low, y(e.high), x(e.at));
   }
   std::string operator()(const FailsOften& e) const {
@@ -47,7 +47,7 @@ struct Writer {
                                   ? fmt::format(" of family {}", "ABC"[std::clamp(int(e.from) / kFamilySpan, 0, 2)])
                                   : ", " + stretch(e.from, e.to);
     if (e.high <= 0) return fmt::format("never fails: {} is above {} in none{}", words.metric, y(e.bound), which);
-    return fmt::format("fails often: {} is above {} in {:.3g} % to {:.3g} %{}", words.metric, y(e.bound), 100 * e.low,
+    return fmt::format("fails often: {} is above {} in {:.4g} % to {:.4g} %{}", words.metric, y(e.bound), 100 * e.low,
                        100 * e.high, which);
   }
 };
@@ -132,7 +132,7 @@ struct Checker {
     if (judged == 0) return {false, fmt::format("nothing was measured from {:.6g} to {:.6g}", e.from, e.to)};
     const double share = static_cast<double>(failed) / static_cast<double>(judged);
     if (share >= e.low && share <= e.high) return {true, ""};
-    return {false, fmt::format("it is {:.3g} % ({} of {})", 100 * share, failed, judged)};
+    return {false, fmt::format("it is {:.4g} % ({} of {})", 100 * share, failed, judged)};
   }
 };
 
