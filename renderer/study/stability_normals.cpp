@@ -153,8 +153,8 @@ Sweep roughness_sweep() {
           .log_axis = true,
           .metric = "max_linear",
           .help =
-              "a black, glossy dome under one light, exponents from roughness (below 0.125 they stay at 8192): the "
-              "smoother, the more a normal's code shows",
+              "a black, glossy dome under one light, exponents from roughness (8192 below 0.125, where the highlight's "
+              "peak is 41): the smoother, the more a normal's code shows",
           .values = roughnesses,
           .curves = roughness_curves,
           .at = dome_of};
