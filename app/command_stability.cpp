@@ -1,10 +1,12 @@
 // `stability`: one parameter through the place where a method breaks; every curve with a statement that is checked.
+#include <algorithm>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/stability_bench.h"
+#include "renderer/image.h"
 #include "renderer/study/stability_chart.h"
 #include "renderer/study/stability_files.h"
 
@@ -25,7 +27,7 @@ void show_progress(const Sweep& s, size_t done, size_t total) {
 }
 
 void print_families(const CurveResult& c) {
-  for (int family = 0; family < 3; ++family) {
+  for (int family = 0; family < kFamilies; ++family) {
     const FamilyShares s = family_shares(c, family);
     fmt::print("        {}: {:.0f} % of {} configurations wrong, {:.1f} % of lit pixels lost, worst error {:.3g}\n",
                "ABC"[family], 100 * s.wrong, s.configurations, 100 * s.lost, s.worst_linear);
@@ -51,18 +53,21 @@ void print_text(const SweepResult& result) {
 
 ExitCode run_stability(const Arguments& a) {
   const std::vector<const Sweep*> chosen = chosen_sweeps(a.sweeps);
+  const std::filesystem::path folder = a.output.value_or("stability");
+  make_folder(folder);  // before the work: a folder that cannot be written is known at once
   const HeadlessContext context;
   StabilityBench bench(without_of(a));
-  const SweepRun run{.limits = bench.limits(), .rounding = bench.rounding()};
   const std::atomic<bool> never{false};
   std::vector<SweepResult> results;
   for (const Sweep* s : chosen) {
     const auto measure = [&](const SweepSetup& setup) { return bench.measure(setup); };
+    SweepRun run{.limits = bench.limits(), .rounding = bench.rounding()};
+    if (has_families(*s) && a.configurations) run.values = family_values(*a.configurations);
     results.push_back(run_sweep(*s, run, measure, show_progress, never));
     if (!a.json) print_text(results.back());
   }
   if (a.json) fmt::print("{}\n", stability_json(results, bench.machine(), bench.rounding()).dump(1));
-  write_stability_files(a.output.value_or("stability"), results, bench.machine(), bench.rounding());
+  write_stability_files(folder, results, bench.machine(), bench.rounding());
   const bool all_hold = std::all_of(results.begin(), results.end(), [](const SweepResult& r) { return r.holds(); });
   return all_hold ? ExitCode::done : ExitCode::check_failed;
 }

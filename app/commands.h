@@ -16,9 +16,10 @@ namespace gbl {
 
 // The command line, read but not yet judged: see settings_of() for the order in which its parts apply.
 struct Arguments {
-  std::string command;              // empty: none given
-  std::string what;                 // of `list`
-  std::vector<std::string> sweeps;  // of `stability`; none: all
+  std::string command;                // empty: none given
+  std::string what;                   // of `list`
+  std::vector<std::string> sweeps;    // of `stability`; none: all
+  std::optional<int> configurations;  // of each family of random ones
 
   std::optional<std::string> scene, preset, state, rig, camera, size;
   std::optional<int> lights;

@@ -7,16 +7,6 @@ namespace {
 
 class StabilityGl : public GlTest {};
 
-constexpr int kConfigurations = 12;  // of each family; the command measures twice as many
-
-std::vector<double> reduced(const Sweep& s) {
-  if (!has_families(s)) return {};  // the sweep's own
-  std::vector<double> out;
-  for (const double x : s.values())
-    if (static_cast<int>(x) % kFamilySpan < kConfigurations) out.push_back(x);
-  return out;
-}
-
 StabilityBench& bench() {
   static StabilityBench b({});
   return b;
@@ -24,7 +14,7 @@ StabilityBench& bench() {
 
 SweepResult run(const Sweep& s) {
   const std::atomic<bool> never{false};
-  const SweepRun how{.values = reduced(s), .limits = bench().limits(), .rounding = bench().rounding()};
+  const SweepRun how{.limits = bench().limits(), .rounding = bench().rounding()};
   return run_sweep(
       s, how, [](const SweepSetup& setup) { return bench().measure(setup); }, nullptr, never);
 }

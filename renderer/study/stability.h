@@ -71,6 +71,8 @@ std::span<const Sweep> sweeps();
 const Sweep& sweep(std::string_view id);  // Error(bad_input) with the known ones
 
 bool has_families(const Sweep&);  // see kFamilySpan
+inline constexpr int kFamilies = 3;
+std::vector<double> family_values(int configurations);  // of each family, 1 to kFamilySpan
 
 SweepSetup setup_at(const Sweep&, const Curve&, double value);
 AxisWords words_of(const Sweep&);

@@ -86,11 +86,12 @@ std::string families_text(const SweepResult& result) {
   for (const CurveResult& c : result.curves) {
     if (c.rows.empty()) continue;
     text += key_of(c);
-    for (int family = 0; family < 3; ++family) text += fmt::format("\t{}", 100 * family_shares(c, family).wrong);
+    for (int family = 0; family < kFamilies; ++family)
+      text += fmt::format("\t{}", 100 * family_shares(c, family).wrong);
     text += "\n";
   }
   text += "EOD\nplot ";
-  for (int family = 0; family < 3; ++family)
+  for (int family = 0; family < kFamilies; ++family)
     text += fmt::format("{}$D using {}:xtic(1) lc rgb '{}' title 'family {}'", family == 0 ? "" : ", ", family + 2,
                         kColours[family], "ABC"[family]);
   return text + "\n";

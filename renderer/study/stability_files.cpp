@@ -41,7 +41,7 @@ Json curve_json(const SweepResult& result, const CurveResult& c) {
     json["statements"].push_back({{"text", j.statement}, {"holds", j.verdict.holds}, {"where", j.verdict.where}});
   for (const SweepRow& r : c.rows) json["points"].push_back(point_json(r));
   if (has_families(*result.sweep))
-    for (int family = 0; family < 3; ++family) {
+    for (int family = 0; family < kFamilies; ++family) {
       const FamilyShares s = family_shares(c, family);
       json["families"].push_back({{"family", std::string(1, "ABC"[family])},
                                   {"configurations", s.configurations},

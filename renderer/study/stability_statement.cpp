@@ -46,9 +46,9 @@ struct Writer {
     const std::string which = words.families
                                   ? fmt::format(" of family {}", "ABC"[std::clamp(int(e.from) / kFamilySpan, 0, 2)])
                                   : ", " + stretch(e.from, e.to);
-    if (e.high <= 0) return fmt::format("never fails: {} is above {} in none{}", words.metric, y(e.bound), which);
-    return fmt::format("fails often: {} is above {} in {:.4g} % to {:.4g} %{}", words.metric, y(e.bound), 100 * e.low,
-                       100 * e.high, which);
+    if (e.share <= 0) return fmt::format("never fails: {} is above {} in none{}", words.metric, y(e.bound), which);
+    return fmt::format("fails often: {} is above {} in about {:.2g} %{}", words.metric, y(e.bound), 100 * e.share,
+                       which);
   }
 };
 
@@ -130,9 +130,11 @@ struct Checker {
       ++judged, failed += above(*p.value, e.bound);
     }
     if (judged == 0) return {false, fmt::format("nothing was measured from {:.6g} to {:.6g}", e.from, e.to)};
-    const double share = static_cast<double>(failed) / static_cast<double>(judged);
-    if (share >= e.low && share <= e.high) return {true, ""};
-    return {false, fmt::format("it is {:.4g} % ({} of {})", 100 * share, failed, judged)};
+    const double n = static_cast<double>(judged), share = static_cast<double>(failed) / n;
+    // 2.5 standard deviations of a count of n, and 3 % for how well the share itself is known.
+    const double scatter = e.share > 0 ? 0.03 + 2.5 * std::sqrt(e.share * (1 - e.share) / n) : 0;
+    if (std::abs(share - e.share) <= scatter) return {true, ""};
+    return {false, fmt::format("it is {:.3g} % ({} of {})", 100 * share, failed, judged)};
   }
 };
 

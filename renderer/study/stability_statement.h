@@ -46,11 +46,12 @@ struct Grows {
   double spread = 2;
 };
 
-// Of the points from `from` to `to`, a share between `low` and `high` is above `bound`.
+// Of random configurations from `from` to `to`, this share is above `bound`: exactly none, or about as many as chance
+// allows for their number.
 struct FailsOften {
   double from = -kNoEnd, to = kNoEnd;
   double bound = 0;
-  double low = 0, high = 0;
+  double share = 0;
 };
 
 using Expected = std::variant<Flat, Diverges, FailsIn, Grows, FailsOften>;
