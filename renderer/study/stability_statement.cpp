@@ -47,8 +47,8 @@ struct Writer {
                                   ? fmt::format(" of family {}", "ABC"[std::clamp(int(e.from) / kFamilySpan, 0, 2)])
                                   : ", " + stretch(e.from, e.to);
     if (e.share <= 0) return fmt::format("never fails: {} is above {} in none{}", words.metric, y(e.bound), which);
-    return fmt::format("fails often: {} is above {} in about {:.2g} %{}", words.metric, y(e.bound), 100 * e.share,
-                       which);
+    return fmt::format("fails often: {} is above {} in about {:.2g} %{}, give or take chance", words.metric, y(e.bound),
+                       100 * e.share, which);
   }
 };
 

@@ -41,7 +41,7 @@ struct FailsIn {
 // factor `spread` of the line.
 struct Grows {
   double slope = 1, tolerance = 0.1;
-  double from = 0, to = kNoEnd;
+  double from = -kNoEnd, to = kNoEnd;
   double at = 1, low = 0, high = 0;
   double spread = 2;
 };
