@@ -20,6 +20,7 @@ struct Writer {
   std::string stretch(double from, double to) const {
     if (std::isinf(from) && std::isinf(to)) return "everywhere";
     if (std::isinf(from)) return "up to " + x(to);
+    if (from == to) return "at " + x(to);
     if (std::isinf(to)) return "from " + x(from) + " on";
     return fmt::format("from {:.4g} to {}", from, x(to));
   }
