@@ -15,6 +15,8 @@ constexpr Command kCommands[] = {
     {"study", "many set-ups measured and charted: speed against accuracy; goes on where it was stopped",
      run_study_command},
     {"advise", "the cheapest set-up for this scene that holds an error budget, and what it leaves out", run_advise},
+    {"stability", "one parameter through the place where methods break, each curve with a statement that is checked",
+     run_stability},
     {"list",
      "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons",
      run_list},

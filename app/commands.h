@@ -16,8 +16,10 @@ namespace gbl {
 
 // The command line, read but not yet judged: see settings_of() for the order in which its parts apply.
 struct Arguments {
-  std::string command;  // empty: none given
-  std::string what;     // of `list` and `study`
+  std::string command;                // empty: none given
+  std::string what;                   // of `list` and `study`
+  std::vector<std::string> sweeps;    // of `stability`; none: all
+  std::optional<int> configurations;  // of each family of random ones
 
   std::optional<std::string> scene, preset, state, rig, camera, size;
   std::optional<int> lights;
@@ -63,6 +65,7 @@ ExitCode run_render(const Arguments&);
 ExitCode run_bench(const Arguments&);
 ExitCode run_study_command(const Arguments&);
 ExitCode run_advise(const Arguments&);
+ExitCode run_stability(const Arguments&);
 ExitCode run_list(const Arguments&);
 std::string list_markdown(const std::string& what);  // as `list WHAT --md` prints it; the README's tables are these
 ExitCode run_info(const Arguments&);

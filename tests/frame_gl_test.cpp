@@ -129,9 +129,9 @@ TEST_F(Frames, LookingChangesNothing) {
     stage.draw(s);
     const Stored before = stored(stage.targets);
     s.view.volumes = VolumeOverlay::all;
-    for (const ViewRow& v : views())
+    for (const View v : frame_views())
       for (const bool raw : {false, true})
-        if (why_missing(v.view, s).empty()) stage.view(v.view, s, {.raw = raw, .overlays = true});
+        if (why_missing(v, s).empty()) stage.view(v, s, {.raw = raw, .overlays = true});
     stage.renderer.count_pairs(s, yard(), stage.targets, true);
     stage.renderer.start_probe(s, yard(), stage.targets, {5, 5});
     stage.renderer.take_probe(stage.targets, true);

@@ -27,7 +27,8 @@ TEST_F(FrameSweep, EveryViewOfEveryPresetShowsSomethingOrSaysWhyNot) {
     if (s.scene != "builtin:terrain") continue;
     s.size = {160, 90};
     stage.draw(s);
-    for (const ViewRow& v : views()) {
+    for (const View each : frame_views()) {
+      const ViewRow& v = row(each);
       SCOPED_TRACE(fmt::format("{}: {}", p.id, v.id));
       const std::string missing = why_missing(v.view, s);
       if (!missing.empty()) {
@@ -78,9 +79,8 @@ TEST_F(FrameSweep, AThousandSwitchesLeaveNothingBehind) {
   Stage stage(yard());
   const auto look_at_everything = [&](const Settings& s) {
     stage.draw(s);
-    for (const ViewRow& v : views())
-      if (why_missing(v.view, s).empty())
-        stage.renderer.draw_view(v.view, s, yard(), stage.targets, {.overlays = true});
+    for (const View v : frame_views())
+      if (why_missing(v, s).empty()) stage.renderer.draw_view(v, s, yard(), stage.targets, {.overlays = true});
     stage.renderer.count_pairs(s, yard(), stage.targets, true);
     stage.renderer.start_probe(s, yard(), stage.targets, {0, 0});
   };

@@ -108,6 +108,14 @@ inline std::vector<std::vector<uint8_t>> stored(const Targets& targets) {
   return out;
 }
 
+// The views that a frame alone can show: all but those that need the reference (reference_gl_test draws these).
+inline std::vector<View> frame_views() {
+  std::vector<View> out;
+  for (const ViewRow& v : views())
+    if (!needs_truth(v.view)) out.push_back(v.view);
+  return out;
+}
+
 // A renderer with targets of its own.
 struct Stage {
   explicit Stage(const GpuScene& s) : scene(s) {}

@@ -61,18 +61,23 @@ TEST(Keys, BracketsWalkThePowersOfTwoToBothEnds) {
   EXPECT_EQ(desk.settings.lights.count, 64);
 }
 
+// Those that this device cannot draw are passed over.
 TEST(Keys, BGoesRoundThePresetsAndKeepsTheSize) {
   Desk desk;
+  std::vector<const Preset*> drawable;
+  for (const Preset& p : presets())
+    if (validate(p.make(), {desk.features}).empty()) drawable.push_back(&p);
+  ASSERT_GE(drawable.size(), presets().size() - 2);
   desk.settings.size = {800, 450};
-  for (size_t i = 1; i <= presets().size(); ++i) {
+  for (size_t i = 1; i <= drawable.size(); ++i) {
     desk.press("b");
     const Preset* now = preset_of(desk.settings);
     ASSERT_TRUE(now);
-    EXPECT_EQ(now, &presets()[i % presets().size()]);
+    EXPECT_EQ(now, drawable[i % drawable.size()]);
     EXPECT_EQ(desk.settings.size, glm::ivec2(800, 450));
   }
   desk.press("b", true);
-  EXPECT_EQ(preset_of(desk.settings), &presets().back());
+  EXPECT_EQ(preset_of(desk.settings), drawable.back());
 }
 
 TEST(Keys, AllViewsInTheMosaicAndOneAlone) {

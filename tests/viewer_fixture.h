@@ -1,5 +1,7 @@
 #pragma once
 // A viewer over the yard, without a window.
+#include <thread>
+
 #include "app/viewer.h"
 #include "tests/gl_fixture.h"
 
@@ -51,7 +53,8 @@ class ViewerTest : public GlTest {
   }
   // Updates without input until no more is to come.
   void settle(const Settings& s, const ui::Requests& r) {
-    for (int k = 0; k < 200 && viewer_->busy(); ++k) {
+    for (int k = 0; k < 2000 && viewer_->busy(); ++k) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the reference is worked out on other threads
       glFinish();
       update(s, r);
     }

@@ -132,15 +132,52 @@ TEST_F(Viewers, PixelsAreThoseOfTheHeadlessCommands) {
     update(before, showing_all(), true);
     update(before, showing_all());
     update(s, showing_all());
+    settle(s, showing_all());  // the reference is there
     Lab headless(FeatureSet{});
     headless.show("yard", std::make_shared<const Scene>(make_yard()));
     headless.draw(s);
     for (const ViewRow& v : views()) {
       if (!why_missing(v.view, s).empty()) continue;
-      headless.draw_view(v.view, {.overlays = v.view == View::final});
+      if (needs_truth(v.view)) {
+        EXPECT_TRUE(headless.draw_truth_view(v.view, true));
+      } else {
+        headless.draw_view(v.view, {.overlays = v.view == View::final});
+      }
       EXPECT_TRUE(headless.image_of(v.view) == lab_->image_of(v.view)) << id << ": " << v.id;
     }
   }
+}
+
+// What is true is worked out once; how it is drawn changes the error at once.
+TEST_F(Viewers, TheErrorFollowsTheSettings) {
+  Settings s = yard_settings();
+  s.view.error.of = ErrorOf::normal;
+  const auto mean_error = [&](NormalEncoding e) {
+    s.normal.encoding = e;
+    update(s, showing({View::error}));
+    settle(s, showing({View::error}));
+    const ui::Input in = viewer_->input(0);
+    EXPECT_TRUE(in.error.has_value());
+    EXPECT_EQ(in.truth_progress, 1);
+    return in.error ? in.error->mean : 0;
+  };
+  const double coarse = mean_error(NormalEncoding::oct8), fine = mean_error(NormalEncoding::oct16);
+  EXPECT_GT(coarse, 0.1);  // degrees; the encodings' table says .34 and .0013 over all directions
+  EXPECT_LT(fine, 0.01);
+  s.view.error.scale = ErrorScale::with_sign;
+  mark(View::error);
+  EXPECT_EQ(mean_error(NormalEncoding::oct16), fine);
+  EXPECT_FALSE(marked(View::error)) << "another scale, other colours";
+}
+
+TEST_F(Viewers, NoReferenceIsBegunWhileSomethingMovesOrNobodyLooks) {
+  Settings s = yard_settings();
+  update(s, showing({View::error}), true);
+  EXPECT_EQ(texture(View::error), 0u);
+  update(s, showing({View::final}));
+  settle(s, showing({View::final}));
+  EXPECT_EQ(texture(View::error), 0u);
+  EXPECT_FALSE(viewer_->input(0).error.has_value());
 }
 
 TEST_F(Viewers, AProbeAnswersForThePixelAskedFor) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/presets.h"
+#include "renderer/validate.h"
 #include "ui/camera_motion.h"
 #include "ui/state.h"
 
@@ -40,7 +41,12 @@ void next_preset(Frame& f, const KeyEvent& e) {
   const Preset* now = preset_of(f.settings);
   const int index = now ? static_cast<int>(now - presets().data()) : -1;
   if (!now && e.shift) return choose_preset(f, -1);
-  choose_preset(f, index + (e.shift ? -1 : 1));
+  // A preset that this device cannot draw is passed over, as a row of an axis is.
+  const int n = static_cast<int>(presets().size());
+  int next = index;
+  do next = (next + (e.shift ? n - 1 : 1)) % n;
+  while (!validate(presets()[static_cast<size_t>(next)].make(), {f.input.features}).empty());
+  choose_preset(f, next);
 }
 
 void go_home(Frame& f, const KeyEvent&) {

@@ -1,0 +1,38 @@
+#include "app/stability_bench.h"
+
+namespace gbl {
+namespace {
+
+// A point's curves differ in their method, and few in their truth.
+constexpr size_t kTruthsOfAPoint = 4;
+
+// Neither known way of rounding is taken for the coarser of the two.
+StoreRounding rounding_of(gl::Rounding r) {
+  return r == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
+}
+
+}  // namespace
+
+StabilityBench::StabilityBench(FeatureSet without)
+    : device_(gl::probe_device(without)), truths_(kTruthsOfAPoint, all_processors()) {
+  const gl::RoundingProbe probe = gl::probe_rounding();
+  rounding_ = {rounding_of(probe.half_store), rounding_of(probe.half_blend), rounding_of(probe.r11_store)};
+}
+
+const GpuScene& StabilityBench::uploaded(const std::shared_ptr<const Scene>& scene) {
+  if (!scene_ || scene_->shared_scene() != scene) scene_ = std::make_unique<GpuScene>(scene);
+  return *scene_;
+}
+
+Measured StabilityBench::measure(const SweepSetup& setup) {
+  const Settings& s = setup.settings;
+  require_valid(s, limits());
+  const GpuScene& scene = uploaded(setup.scene);
+  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, scene, s, true);
+  FrameReport report = renderer_.render(s, scene, targets_);
+  const Drawn drawn = read_drawn(renderer_, s, scene, targets_, true);
+  renderer_.collect(targets_, report, true);
+  return {gbl::measure(truth->truth, drawn, {s.exposure, s.colour}), {truth, &truth->truth}};
+}
+
+}  // namespace gbl
