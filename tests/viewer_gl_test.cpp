@@ -162,8 +162,8 @@ TEST_F(Viewers, TheErrorFollowsTheSettings) {
     return in.error ? in.error->mean : 0;
   };
   const double coarse = mean_error(NormalEncoding::oct8), fine = mean_error(NormalEncoding::oct16);
-  EXPECT_GT(coarse, 0.1);  // degrees; the encodings' table says .34 and .0013 over all directions
-  EXPECT_LT(fine, 0.01);
+  EXPECT_GT(coarse, 0.01);  // degrees; most of the yard faces along an axis, which every encoding has a code for
+  EXPECT_LT(fine, coarse / 10);
   s.view.error.scale = ErrorScale::with_sign;
   mark(View::error);
   EXPECT_EQ(mean_error(NormalEncoding::oct16), fine);
