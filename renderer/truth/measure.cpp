@@ -16,9 +16,9 @@ constexpr double kRelmseDark = 0.01;  // keeps the relative error of black finit
 
 // clang-format off
 constexpr ErrorColumn kColumns[] = {
-    {"over_1_255_display", "", "share of pixels whose largest channel is off by more than 1/255 as displayed", &Errors::over_1_255_display},
-    {"over_half_255_display", "", "the same for 0.5/255", &Errors::over_half_255_display},
-    {"over_1_255_linear", "", "the same for 1/255 of linear radiance", &Errors::over_1_255_linear},
+    {"over_1_255_display", "", "share of pixels off by more than 1/255 as displayed", &Errors::over_1_255_display},
+    {"over_half_255_display", "", "share of pixels off by more than 0.5/255 as displayed", &Errors::over_half_255_display},
+    {"over_1_255_linear", "", "share of pixels off by more than 1/255 of radiance", &Errors::over_1_255_linear},
     {"max_linear", "radiance", "largest difference of a channel", &Errors::max_linear},
     {"p99_linear", "radiance", "99th percentile of it", &Errors::p99_linear},
     {"rmse_linear", "radiance", "root mean square", &Errors::rmse_linear},
