@@ -1,0 +1,22 @@
+#pragma once
+// A study where one stands: what it varies and how it draws is the study's, everything else that is true, scene and
+// camera among it, is as it is now.
+#include <string>
+#include <vector>
+
+#include "renderer/study/study_spec.h"
+
+namespace gbl {
+
+// Truth options that its cases differ in, by path.
+std::vector<std::string> varied_truth(const StudySpec&);
+
+// Does it ask something of whatever scene is at hand? Not if it moves the camera or compares scenes.
+bool can_run_here(const StudySpec&);
+
+StudySpec study_here(const StudySpec&, const Settings& now, glm::ivec2 size);
+
+// Equal in every truth option but the size and those paths.
+bool same_truth_but(const Settings&, const Settings&, const std::vector<std::string>& varied);
+
+}  // namespace gbl
