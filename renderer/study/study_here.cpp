@@ -65,12 +65,12 @@ StudySpec study_here(const StudySpec& spec, const Settings& now, glm::ivec2 size
   return here;
 }
 
-bool same_truth_but(const Settings& a, const Settings& b, const std::vector<std::string>& varied) {
+std::string differing_truth(const Settings& a, const Settings& b, const std::vector<std::string>& varied) {
   for (const Option& o : options()) {
     const bool counts = o.group == Group::truth && std::string_view(o.path) != "size" && !contains(varied, o.path);
-    if (counts && o.get(a) != o.get(b)) return false;
+    if (counts && o.get(a) != o.get(b)) return o.path;
   }
-  return true;
+  return "";
 }
 
 }  // namespace gbl

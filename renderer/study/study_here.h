@@ -16,7 +16,10 @@ bool can_run_here(const StudySpec&);
 
 StudySpec study_here(const StudySpec&, const Settings& now, glm::ivec2 size);
 
-// Equal in every truth option but the size and those paths.
-bool same_truth_but(const Settings&, const Settings&, const std::vector<std::string>& varied);
+// The first truth option in which they differ, the size and those paths left out; "" = none.
+std::string differing_truth(const Settings&, const Settings&, const std::vector<std::string>& varied);
+inline bool same_truth_but(const Settings& a, const Settings& b, const std::vector<std::string>& varied) {
+  return differing_truth(a, b, varied).empty();
+}
 
 }  // namespace gbl
