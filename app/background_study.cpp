@@ -15,6 +15,7 @@ constexpr size_t kKeptTruths = 6;      // of 14 MB each: a study may go through 
 constexpr size_t kMostRuns = 16;       // studies with their truths; the oldest goes
 constexpr size_t kMostTried = 64;      // set-ups tried by hand; the oldest goes
 constexpr double kMostFrameMs = 1500;  // a frame that would hold the window up for longer is not drawn
+constexpr int kTimedFrames = 9;        // an odd number has a median of its own; more would double the wait
 constexpr const char* kByHand = "by-hand";
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -148,7 +149,7 @@ bool BackgroundStudy::begin_next(const Settings& now) {
   require_valid(measured_.settings, lab_.limits());
   require_quick(measured_.settings, lab_);
   if (!bench_) bench_.emplace(lab_.renderer(), lab_.cost(), lab_.machine(), kKeptTruths);
-  bench_->start(measured_.settings, scene_, {});
+  bench_->start(measured_.settings, scene_, {.frames = kTimedFrames});
   return true;
 }
 

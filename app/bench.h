@@ -10,6 +10,7 @@ namespace gbl {
 struct BenchWishes {
   bool errors = true;
   bool times = true;
+  int frames = 20;  // as many are timed, unless they take very long
 };
 
 class Bench {

@@ -17,6 +17,7 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1600, 900};
 constexpr double kFrameSeconds = 1.0 / 60;  // pace while something happens
+constexpr double kMeasureSeconds = 0.001;   // pace of a study that nobody disturbs: each frame is a step of it
 constexpr double kQuietSeconds = 0.3;       // without a hand on the window before anything is measured beside it
 constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
 
@@ -115,6 +116,7 @@ class Loop {
 
   // Full pace while something moves or has just happened (ImGui needs a few frames to settle), else nearly asleep.
   double pace() const {
+    if (viewer_.measuring()) return kMeasureSeconds;
     if (viewer_.busy() || quiet_frames_ < 4) return kFrameSeconds;
     return std::min(kIdleSeconds, wake_in_);
   }

@@ -159,7 +159,9 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
 }
 
 void Viewer::measure(const Settings& s, const ui::Requests& requests, bool quiet) {
-  study_.update(s, requests.chart, quiet && !drawing());
+  quiet = quiet && !drawing();
+  study_.update(s, requests.chart, quiet);
+  measuring_ = quiet && study_.busy();
 }
 
 ui::Input Viewer::input(double seconds) const {

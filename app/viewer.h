@@ -18,6 +18,7 @@ class Viewer {
   void update(const Settings&, const ui::Requests&, bool moving);
   // A piece of what the chart asks for, if the machine is free for it. `quiet`: nobody has touched the window lately.
   void measure(const Settings&, const ui::Requests&, bool quiet);
+  bool measuring() const { return measuring_; }  // it did so in this frame
   ui::Input input(double seconds) const;
 
   // A model's file dropped on the window, or a scene named in the options: read it beside the running picture. The old
@@ -51,7 +52,7 @@ class Viewer {
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   Settings asked_;                          // of the last attempt, drawn or refused
-  bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false;
+  bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
   bool truth_waiting_ = false;            // a visible view still waits for the reference
   bool stats_pending_ = false;            // of the error view
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last

@@ -13,7 +13,7 @@ constexpr ImU32 kDark = IM_COL32(10, 12, 15, 255);
 constexpr double kWheelStep = 1.25;
 
 struct Places {
-  Box head, study, y_title, plot, x_title, counts, legend, words, keys;
+  Box head, study, y_title, plot, x_title, counts, family, legend, words, keys;
 };
 
 // Lines of text at the top and at the bottom, as high as they need but for the legend; the plot takes the rest.
@@ -37,6 +37,7 @@ Places lay_out(const Box& room, const Type& t, float legend_height, bool note) {
   p.keys = above(2.6f * small);
   p.words = above(std::min(8.4f * body, 0.26f * room.height()));
   p.legend = above(std::min(legend_height, 0.16f * room.height()));
+  p.family = above(small);
   p.counts = above(note ? 3 * small : small);
   p.x_title = above(body);
   p.plot = {{room.min.x, top}, {room.max.x, bottom}};
@@ -82,9 +83,10 @@ void draw_hints(Frame& f, Painter& p, const Box& box) {
   }
 }
 
+// Without what follows a colon: that tells of the study's own scene.
 std::string label_of_study(const ChartInput& in, const std::string& id) {
   for (const ChartInput::Study& s : in.studies)
-    if (s.id == id) return s.label;
+    if (s.id == id) return s.label.substr(0, s.label.find(':'));
   return "";
 }
 
@@ -103,7 +105,7 @@ void draw_head(Frame& f, Painter& p, const Places& at) {
   }
   std::string words = fmt::format("study “{}”", s.study);
   if (const std::string label = label_of_study(in, s.study); !label.empty()) words += fmt::format(": {}", label);
-  words += fmt::format("; in this scene, measured at {}x{}", in.size.x, in.size.y);
+  words += fmt::format("; in this scene, at {}x{}", in.size.x, in.size.y);
   if (other) words += fmt::format("   (“{}” is running)", in.running);
   draw_keyed(p, at.study, f.type.body, "S", kText, words);
 }
@@ -179,7 +181,7 @@ void draw_cross_hair(Painter& p, const Plot& plot, ImVec2 at) {
 }
 
 void draw_selected(Painter& p, const Plot& plot, const ChartView& v, float radius) {
-  if (!v.selected || !plot.shows(value_of(v.point(*v.selected)))) return;
+  if (!v.selected || v.selected == v.current || !plot.shows(value_of(v.point(*v.selected)))) return;
   const ChartPoint& point = v.point(*v.selected);
   const ImVec2 at = plot.at(value_of(point));
   draw_cross_hair(p, plot, at);
@@ -347,6 +349,8 @@ void draw_chart(Frame& f) {
   draw_plot(f, p, plot, v);
   draw_keyed(p, at.x_title, f.type.body, "X", kText, fmt::format("→ {}", axis_title(v.chart.x)));
   draw_counts(f, p, at.counts, v);
+  draw_keyed(p, at.family, f.type.small, "G", kDim,
+             fmt::format("colour and shape: {}", family_paths()[s.family].label));
   use_legend(f, v.chart, draw_series_legend(p, at.legend, legend, f.type.small));
   draw_words(f, p, at.words, v);
   draw_hints(f, p, at.keys);

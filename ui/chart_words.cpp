@@ -64,8 +64,9 @@ std::string bytes_text(const Json& row) {
 }
 
 Field sound_field(const Settings& s) {
-  std::string text;
-  for (const Unsound& u : unsound_choices(s)) text += fmt::format("{}{}", text.empty() ? "" : ", ", u.pitfall);
+  std::set<std::string> pitfalls;  // two choices may share one
+  for (const Unsound& u : unsound_choices(s)) pitfalls.insert(u.pitfall);
+  const std::string text = fmt::format("{}", fmt::join(pitfalls, ", "));
   if (text.empty()) return {"sound", "yes", kText};
   return {"sound", fmt::format("{} unsound: {}", kUnsoundSign, text), kUnsound};
 }

@@ -186,7 +186,10 @@ void Plot::draw_axes() {
 
 void Plot::draw_line(const std::vector<glm::dvec2>& points, ImU32 colour, float thickness) {
   std::vector<ImVec2> places;
-  for (const glm::dvec2& p : points) places.push_back(at(p));
+  for (const glm::dvec2& p : points) {
+    const ImVec2 place = at(p);  // a line of no length would get a corner of any direction
+    if (places.empty() || place.x != places.back().x || place.y != places.back().y) places.push_back(place);
+  }
   ImDrawList& list = painter_.list();
   list.PushClipRect(frame_.min, frame_.max, true);
   list.AddPolyline(places.data(), static_cast<int>(places.size()), colour, 0, thickness);
