@@ -414,6 +414,23 @@ TEST(ChartViews, FamiliesThatAreOffLeaveThePlotAndTheFront) {
   EXPECT_EQ(m.view().shown.size(), 2u);
 }
 
+TEST(ChartViews, AFamilyKeepsItsKeyColourAndShapeWhileAStudyGoesOn) {
+  ChartDesk desk;
+  desk.add({1, 0.5, LightMethod::quads});
+  Model m(desk.input);
+  const SeriesLook alone = m.view().look(0);
+  desk.add({2, 0.9, LightMethod::forward});
+  const ChartView v = m.view();
+  EXPECT_EQ(v.look(0).mark, alone.mark);
+  EXPECT_EQ(v.look(0).colour, alone.colour);
+  EXPECT_EQ(v.families.front().name, "forward") << "in the order of the options table";
+  EXPECT_EQ(v.families.back().number, static_cast<size_t>(LightMethod::quads));
+}
+
+TEST(ChartViews, EveryFamilyPathHasAKeyForEachOfItsValues) {
+  for (const FamilyPath& family : family_paths()) EXPECT_LE(option(family.path).values.size(), 16u) << family.path;
+}
+
 TEST(ChartViews, LogarithmicAndLinearShowTheSamePointsZerosToo) {
   ChartDesk desk;
   for (const double over : {0.0, 0.0, 0.001, 0.5}) desk.add({1 + over, over});

@@ -61,9 +61,9 @@ void step_family(Frame& f, const KeyEvent& e) {
 
 // 1 … 8 are the first eight, with Shift the next.
 void switch_family(Frame& f, const KeyEvent& e) {
-  const Chart chart = chart_view(f).chart;
-  const auto n = static_cast<size_t>(e.key[0] - '1') + (e.shift ? 8 : 0);
-  if (n < chart.families.size()) toggle_family(chart_of(f), chart.families[n]);
+  const auto number = static_cast<size_t>(e.key[0] - '1') + (e.shift ? 8 : 0);
+  for (const ChartFamily& family : chart_view(f).families)
+    if (family.number == number) toggle_family(chart_of(f), family.name);
 }
 
 // Without a selected point the middle of the plot stays where it is.

@@ -115,10 +115,6 @@ float mark_radius(const Type& t) { return std::round(t.small * 0.42f); }
 
 glm::dvec2 value_of(const ChartPoint& p) { return {p.cost, p.error}; }
 
-size_t family_index(const Chart& chart, const std::string& family) {
-  return static_cast<size_t>(std::find(chart.families.begin(), chart.families.end(), family) - chart.families.begin());
-}
-
 // The front as a staircase, up to the right edge: what more cost buys.
 void draw_front(Plot& plot, const ChartView& v) {
   std::vector<glm::dvec2> corners;
@@ -129,9 +125,7 @@ void draw_front(Plot& plot, const ChartView& v) {
 }
 
 void draw_points(Plot& plot, const ChartView& v, float radius) {
-  std::vector<std::vector<glm::dvec2>> by_family(v.chart.families.size());
-  for (const size_t i : v.shown) by_family[family_index(v.chart, v.point(i).family)].push_back(value_of(v.point(i)));
-  for (size_t k = 0; k < by_family.size(); ++k) plot.draw_marks(by_family[k], series_look(k), radius);
+  for (const size_t i : v.shown) plot.draw_marks({value_of(v.point(i))}, v.look(i), radius);
 }
 
 bool overlap(const Box& a, const Box& b) {
@@ -185,7 +179,7 @@ void draw_selected(Painter& p, const Plot& plot, const ChartView& v, float radiu
   const ChartPoint& point = v.point(*v.selected);
   const ImVec2 at = plot.at(value_of(point));
   draw_cross_hair(p, plot, at);
-  draw_mark(p.list(), at, radius * 1.3f, series_look(family_index(v.chart, point.family)));
+  draw_mark(p.list(), at, radius * 1.3f, v.look(*v.selected));
   draw_ring(p, at, radius * 2.1f, kText, 2);
 }
 
@@ -193,7 +187,7 @@ void draw_current(Painter& p, const Plot& plot, const ChartView& v, float radius
   if (!v.current || !plot.shows(value_of(v.point(*v.current)))) return;
   const ChartPoint& point = v.point(*v.current);
   const ImVec2 at = plot.at(value_of(point));
-  draw_mark(p.list(), at, radius * 1.3f, series_look(family_index(v.chart, point.family)));
+  draw_mark(p.list(), at, radius * 1.3f, v.look(*v.current));
   draw_ring(p, at, radius * 2.8f, kAccent, 3.5f);
   labels.draw(at, radius * 2.8f + 4, kAccent, "now");
 }
@@ -277,21 +271,21 @@ void use_mouse(Frame& f, const Plot& plot, const ChartView& v) {
 }
 
 // ---- below the plot --------------------------------------------------------------------------------------------
-std::vector<LegendRow> legend_rows(const ChartState& s, const Chart& chart) {
+std::vector<LegendRow> legend_rows(const ChartState& s, const ChartView& v) {
   std::vector<LegendRow> rows;
-  for (size_t i = 0; i < chart.families.size(); ++i) {
-    const std::string key = i < 8 ? std::to_string(i + 1) : i < 16 ? fmt::format("⇧{}", i - 7) : "";
-    const std::string& name = chart.families[i];
-    rows.push_back({key, name.empty() ? "other" : name, series_look(i), family_on(s, name)});
+  for (const ChartFamily& family : v.families) {
+    const size_t n = family.number;
+    const std::string key = n < 8 ? std::to_string(n + 1) : n < 16 ? fmt::format("⇧{}", n - 7) : "";
+    rows.push_back({key, family.name.empty() ? "other" : family.name, series_look(n), family_on(s, family.name)});
   }
   return rows;
 }
 
-void use_legend(Frame& f, const Chart& chart, const std::vector<Box>& places) {
+void use_legend(Frame& f, const ChartView& v, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
     ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("family", places[i].size())) toggle_family(f.state.chart, chart.families[i]);
+    if (ImGui::InvisibleButton("family", places[i].size())) toggle_family(f.state.chart, v.families[i].name);
     ImGui::PopID();
   }
 }
@@ -339,7 +333,7 @@ void draw_chart(Frame& f) {
   begin_overlay("chart", box, kBackground);
   Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   ChartView v = chart_view(f);
-  const std::vector<LegendRow> legend = legend_rows(s, v.chart);
+  const std::vector<LegendRow> legend = legend_rows(s, v);
   const Places at =
       lay_out(room, f.type, series_legend_height(legend, room.width(), f.type.small), !chart_input(f).note.empty());
   Plot plot(p, at.plot, v.x, v.y, f.type.small);
@@ -351,7 +345,7 @@ void draw_chart(Frame& f) {
   draw_counts(f, p, at.counts, v);
   draw_keyed(p, at.family, f.type.small, "G", kDim,
              fmt::format("colour and shape: {}", family_paths()[s.family].label));
-  use_legend(f, v.chart, draw_series_legend(p, at.legend, legend, f.type.small));
+  use_legend(f, v, draw_series_legend(p, at.legend, legend, f.type.small));
   draw_words(f, p, at.words, v);
   draw_hints(f, p, at.keys);
   end_overlay();

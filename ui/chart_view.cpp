@@ -25,6 +25,18 @@ ChartAxis looked_at(const ChartAxis& whole, const std::optional<Span>& zoom) {
   return axis.scale;
 }
 
+std::vector<ChartFamily> families_of(const Chart& chart, std::string_view path) {
+  const Option& o = option(path);
+  std::vector<ChartFamily> families;
+  size_t others = o.values.size();
+  for (const std::string& name : chart.families) {
+    const auto row = std::find_if(o.values.begin(), o.values.end(), [&](const ValueRow& r) { return name == r.id; });
+    families.push_back({name, row == o.values.end() ? others++ : static_cast<size_t>(row - o.values.begin())});
+  }
+  std::sort(families.begin(), families.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  return families;
+}
+
 std::vector<size_t> front_of(const ChartView& v) {
   std::vector<CostError> places;
   for (const size_t i : v.shown)
@@ -80,9 +92,16 @@ ChartView chart_view(const Frame& f) {
     v.shown.push_back(i);
     if (!s.selected.empty() && row_key_of(in.rows[p.row]) == s.selected) v.selected = i;
   }
+  v.families = families_of(v.chart, kFamilies[s.family].path);
   v.front = front_of(v);
   scale_axes(v, s);
   return v;
+}
+
+SeriesLook ChartView::look(size_t i) const {
+  for (const ChartFamily& family : families)
+    if (family.name == point(i).family) return series_look(family.number);
+  return series_look(0);
 }
 
 void apply_row(Frame& f, size_t index) {

@@ -10,15 +10,24 @@ struct FamilyPath {
 };
 std::span<const FamilyPath> family_paths();
 
+// Keeps its number, and with it its key, colour and shape, whatever else is measured: that of its row in the options
+// table.
+struct ChartFamily {
+  std::string name;
+  size_t number;
+};
+
 struct ChartView {
-  Chart chart;                     // every point
-  std::vector<size_t> shown;       // of them: their family is on
-  std::vector<size_t> front;       // of the shown: none of them is better in both; by cost
-  ChartAxis whole_x, whole_y;      // of what is shown
-  ChartAxis x, y;                  // of them the part that is looked at
-  std::optional<size_t> selected;  // a shown point
-  std::optional<size_t> current;   // the settings at hand; shown or not
+  Chart chart;                        // every point
+  std::vector<ChartFamily> families;  // by their numbers
+  std::vector<size_t> shown;          // of them: their family is on
+  std::vector<size_t> front;          // of the shown: none of them is better in both; by cost
+  ChartAxis whole_x, whole_y;         // of what is shown
+  ChartAxis x, y;                     // of them the part that is looked at
+  std::optional<size_t> selected;     // a shown point
+  std::optional<size_t> current;      // the settings at hand; shown or not
   const ChartPoint& point(size_t i) const { return chart.points[i]; }
+  SeriesLook look(size_t i) const;  // of a point
 };
 const ChartInput& chart_input(const Frame&);  // an empty one where nothing is ever measured
 ChartView chart_view(const Frame&);
