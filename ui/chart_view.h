@@ -43,6 +43,9 @@ std::string row_title(const ChartInput&, size_t row);
 std::string progress_text(const ChartInput&);  // "37/272, 4 min left"; "" = nothing to count
 std::string counts_text(const ChartInput&, const ChartView&);
 
+void draw_chart_points(Frame&, Painter&, Plot&, const ChartView&);
+void use_chart_mouse(Frame&, const Plot&, const ChartView&);  // point, click, drag, wheel
+
 struct ChartKey {
   const char* key;    // as printed
   const char* words;  // for the hint line
