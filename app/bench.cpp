@@ -45,7 +45,8 @@ bool Bench::step(bool wait) {
         break;
       case Phase::times:
         time_a_frame();
-        if (measured_enough(timing_.frames, now_s() - begun_s_, slowest_s_)) phase_ = Phase::judge;
+        if (timing_.frames >= wishes_.frames || measured_enough(timing_.frames, now_s() - begun_s_, slowest_s_))
+          phase_ = Phase::judge;
         break;
       case Phase::judge:
         judge();

@@ -11,6 +11,7 @@ struct BenchWishes {
   bool errors = true;   // against the reference
   bool times = true;    // of repeated frames
   bool columns = true;  // all of them; else of the errors only what bound() needs, and no counts
+  int frames = 20;      // as many are timed, unless they take very long
 };
 
 class Bench {

@@ -17,6 +17,8 @@ namespace {
 
 constexpr glm::ivec2 kWindowSize{1600, 900};
 constexpr double kFrameSeconds = 1.0 / 60;  // pace while something happens
+constexpr double kMeasureSeconds = 0.001;   // pace of a study that nobody disturbs: each frame is a step of it
+constexpr double kQuietSeconds = 0.3;       // without a hand on the window before anything is measured beside it
 constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
 
 // "out/figure-003-normal.png": the first number that is free.
@@ -90,6 +92,7 @@ class Loop {
     ImGui_ImplGlfw_NewFrame();
     const Settings before = settings_;
     screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
+    if (touched(input, keys)) touched_s_ = input.seconds;
     // Another scene and nothing else: it is to bring its camera, its lights and its look, as a dropped file does.
     Settings renamed = before;
     renamed.scene = settings_.scene;
@@ -101,10 +104,19 @@ class Loop {
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
     viewer_.update(settings_, requests, ui_.moving(settings_));
+    viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
+  }
+
+  // Not every event is a hand's: the window system has its own.
+  static bool touched(const ui::Input& input, const std::vector<ui::KeyEvent>& keys) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool mouse = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyMouseDown();
+    return mouse || !keys.empty() || !input.held.empty();
   }
 
   // Full pace while something moves or has just happened (ImGui needs a few frames to settle), else nearly asleep.
   double pace() const {
+    if (viewer_.measuring()) return kMeasureSeconds;
     if (viewer_.busy() || quiet_frames_ < 4) return kFrameSeconds;
     return std::min(kIdleSeconds, wake_in_);
   }
@@ -117,6 +129,7 @@ class Loop {
   ImguiScreen screen_;
   GlfwBackend backend_;
   int quiet_frames_ = 0;
+  double touched_s_ = 0;
   double wake_in_ = kIdleSeconds;
 };
 

@@ -124,6 +124,7 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
 void Viewer::reload() {
   try {
     lab_.reload_shaders();
+    study_.forget();
     message_ = "shaders read again";
     attempted_ = false;
   } catch (const Error& e) {
@@ -157,9 +158,16 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (!requests.probe) probe_.reset(), probe_asked_.reset();
 }
 
+void Viewer::measure(const Settings& s, const ui::Requests& requests, bool quiet) {
+  quiet = quiet && !drawing();
+  study_.update(s, requests.chart, quiet);
+  measuring_ = quiet && study_.busy();
+}
+
 ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
+  in.chart = &study_.chart();
   in.truth_progress = lab_.truth_progress();
   in.message = message_;
   in.banner = loader_.loading() ? fmt::format("reading {}: {}", loader_.name(), loader_.progress()) : banner_;

@@ -3,6 +3,7 @@
 // apart from GLFW so that it can be tested on a headless context.
 #include <string>
 
+#include "app/background_study.h"
 #include "app/lab.h"
 #include "app/scene_loader.h"
 
@@ -10,11 +11,14 @@ namespace gbl {
 
 class Viewer {
  public:
-  explicit Viewer(Lab& lab) : lab_(lab) {}
+  explicit Viewer(Lab& lab) : lab_(lab), study_(lab) {}
 
   // Draws what the requests ask for and what has changed, nothing else. Never throws for a bad setting or shader:
   // the message says what is wrong and the old picture stays.
   void update(const Settings&, const ui::Requests&, bool moving);
+  // A piece of what the chart asks for, if the machine is free for it. `quiet`: nobody has touched the window lately.
+  void measure(const Settings&, const ui::Requests&, bool quiet);
+  bool measuring() const { return measuring_; }  // it did so in this frame
   ui::Input input(double seconds) const;
 
   // A model's file dropped on the window, or a scene named in the options: read it beside the running picture. The old
@@ -30,10 +34,11 @@ class Viewer {
   }  // for tests and the first frame
   void say(std::string message) { message_ = std::move(message); }
 
-  // Is there more to come without any input: an answer under way, a smaller picture to be replaced?
-  bool busy() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
+  // Is there more to come without any input: an answer under way, a smaller picture to be replaced, a study that runs?
+  bool busy() const { return drawing() || study_.busy(); }
 
  private:
+  bool drawing() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
   bool scene_ready(const Settings&);
   void arrive(bool wait);
   void draw_frame(const Settings&, bool moving);
@@ -43,10 +48,11 @@ class Viewer {
   Settings affordable(const Settings&, bool moving);
 
   Lab& lab_;
+  BackgroundStudy study_;
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   Settings asked_;                          // of the last attempt, drawn or refused
-  bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false;
+  bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
   bool truth_waiting_ = false;            // a visible view still waits for the reference
   bool stats_pending_ = false;            // of the error view
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last

@@ -42,6 +42,7 @@ class Desk {
     Input input{.scene = scene, .lights = lights, .features = features, .report = report};
     input.seconds = seconds;
     input.held = held;
+    input.chart = chart;
     input.probe = PixelProbe{
         .pixel = {123, 456}, .surface = true, .roughness = 0.5f, .normal = {0, 1, 0}, .range = 1234.5f, .lights = 5};
     ImGui::GetIO().DeltaTime = 1.0f / 60;
@@ -79,6 +80,7 @@ class Desk {
   FrameReport report;
   FeatureSet features;  // nothing beyond the core path
   Requests requests;
+  const ChartInput* chart = nullptr;
   double seconds = 0;
   std::vector<std::string> held;
 };

@@ -18,6 +18,7 @@ void show_error(Frame&, const KeyEvent&);
 void go_to_worst(Frame&, const KeyEvent&);
 void step_lesson(Frame&, const KeyEvent&);
 void reveal_answer(Frame&, const KeyEvent&);
+void toggle_chart(Frame&, const KeyEvent&);
 void toggle_card(Frame&, const KeyEvent&);
 void toggle_time(Frame&, const KeyEvent&);
 void toggle_help(Frame&, const KeyEvent&);
@@ -33,6 +34,7 @@ void close_top(Frame&, const KeyEvent&);
 // While an overlay is open its own keys come first; true = the key was its.
 bool press_in_chooser(Frame&, const KeyEvent&);
 bool press_in_options(Frame&, const KeyEvent&);
+bool press_in_chart(Frame&, const KeyEvent&);
 void stop_typing(Frame&);
 
 }  // namespace gbl::ui

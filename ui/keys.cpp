@@ -30,6 +30,10 @@ constexpr Command kCommands[] = {
     {"Space", "time.pause", "let the lights move, or stop them", toggle_time},
     {"F1", "help", "these keys", toggle_help},
     {"F2", "hide", "the pictures alone; again: everything", toggle_hidden},
+    {"F3", "chart",
+     "speed against accuracy: a study's set-ups as points, live. In it: R runs the study, S another, arrows and Enter "
+     "choose and apply a point, X Y axes, L K logarithms, F front, G families, 1-8 show one, + - 0 zoom",
+     toggle_chart},
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F12", "figure", "save what is on screen as a figure", save_figure},
@@ -136,6 +140,7 @@ void dispatch(Frame& f, const KeyEvent& e) {
   f.state.caption.reset();
   if (f.state.chooser && press_in_chooser(f, e)) return;
   if (f.state.options_page && press_in_options(f, e)) return;
+  if (f.state.chart.open && press_in_chart(f, e)) return;
   if (press_option(f, e) || press_view(f, e)) return;
   press_command(f, e);
 }

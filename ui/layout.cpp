@@ -39,7 +39,7 @@ Layout make_layout(const LayoutInput& in) {
   l.column = {at(kColumnX, in.large ? 0 : kColumnY), {right, status_top}};
   if (in.large) {
     l.main = in.chosen;
-    place({in.chosen, 0, 0, in.hidden ? 1600.0f : kColumnX});
+    place({in.chosen, 0, 0, in.beside ? 800.0f : in.hidden ? 1600.0f : kColumnX});
   } else {
     for (const Cell& c : kMosaic) place(c);
   }

@@ -11,6 +11,7 @@ namespace {
 // An overlay is opaque: what is wholly below one need not be drawn at all.
 bool covered(const Frame& f, const Box& panel) {
   if (f.state.help) return true;
+  if (f.state.chart.open && chart_box(f).contains(panel)) return true;
   if (f.state.options_page && options_box(f).contains(panel)) return true;
   return f.state.card && card_box(f).contains(panel);
 }

@@ -8,6 +8,7 @@
 
 #include "renderer/options.h"
 #include "ui/captions.h"
+#include "ui/chart_state.h"
 #include "ui/layout.h"
 #include "ui/style.h"
 #include "ui/ui.h"
@@ -52,6 +53,8 @@ struct State {
   std::vector<Lesson> lessons;  // that the chooser offers
   bool go_to = false, focus_go_to = false;
   std::array<char, 32> go_to_text{};  // "x, y"
+
+  ChartState chart;
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;
@@ -113,6 +116,7 @@ void draw_lesson(Frame&, const Box&);
 void draw_control_column(Frame&);
 void draw_status_bar(Frame&);
 void draw_options_panel(Frame&);
+void draw_chart(Frame&);
 void draw_card(Frame&);
 void draw_help(Frame&);
 void draw_chooser(Frame&);
@@ -121,6 +125,7 @@ void draw_notices(Frame&);
 void draw_hidden_hint(Frame&);
 Box options_box(const Frame&);
 Box card_box(const Frame&);
+Box chart_box(const Frame&);
 float status_height(const Type&);
 
 // A widget in a box: a choice's combo (unsound rows marked, unavailable ones disabled with the reason).

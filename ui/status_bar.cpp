@@ -47,6 +47,8 @@ std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
 
 std::string right_text(const Frame& f) {
   std::string text;
+  if (const ChartInput* c = f.input.chart; c && !c->running.empty() && !f.state.chart.open)
+    text += fmt::format("F3: study “{}” {}/{}   ", c->running, c->done, c->total);
   if (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) text += "panel keys on, Esc leaves   ";
   if (f.state.held_at) text += "pixel held, Esc lets go   ";
   return text + fmt::format("t = {:.2f} s {}", f.settings.time_s, f.state.playing ? "running" : "paused");

@@ -12,7 +12,12 @@ namespace {
 constexpr float kPresentScale = 1.5f;
 
 LayoutInput layout_input(const State& s, const Settings& settings, const Type& type) {
-  return {ImGui::GetIO().DisplaySize, view_by_id(settings.view.main).view, s.large, s.hidden, status_height(type)};
+  return {.display = ImGui::GetIO().DisplaySize,
+          .chosen = view_by_id(settings.view.main).view,
+          .large = s.large,
+          .hidden = s.hidden,
+          .beside = s.chart.open,
+          .status_height = status_height(type)};
 }
 
 Type type_of(const State& s) {
@@ -40,6 +45,7 @@ void take_input(Frame& f, const std::vector<KeyEvent>& keys) {
   f.type = type_of(f.state);
   f.layout = make_layout(layout_input(f.state, f.settings, f.type));
   if (f.state.options_page) f.layout.strip.max.x = std::min(f.layout.strip.max.x, options_box(f).min.x);
+  if (f.state.chart.open) f.layout.strip.max.x = std::min(f.layout.strip.max.x, chart_box(f).min.x);
 }
 
 }  // namespace
@@ -71,6 +77,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
     draw_hidden_hint(f);
   }
   ImGui::End();
+  draw_chart(f);
   draw_options_panel(f);
   draw_card(f);
   draw_help(f);

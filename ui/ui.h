@@ -13,6 +13,7 @@
 #include "renderer/lights.h"
 #include "renderer/scene.h"
 #include "renderer/settings.h"
+#include "renderer/study/study_spec.h"
 #include "renderer/truth/error_stats.h"
 #include "renderer/views.h"
 
@@ -38,6 +39,25 @@ struct ViewImage {
   glm::ivec2 size{0};    // row 0 of the texture is the picture's bottom row (GL): draw with v flipped
 };
 
+// What the chart shows: rows of a study in the scene and with the truth at hand, and set-ups that were tried by hand.
+struct ChartInput {
+  struct Study {
+    std::string id, label;
+    std::string x, y, family;  // of its chart, unless another is asked for
+  };
+  std::vector<Study> studies;      // that can run here
+  std::vector<Json> rows;          // as renderer/study/study.h makes them, failed ones among them
+  std::vector<Settings> settings;  // of each row, as asked for
+  std::optional<size_t> current;   // the row of the settings at hand; empty: not measured yet
+  bool measuring = false;          // the settings at hand are being measured
+  glm::ivec2 size{0};              // at which rows are measured
+
+  std::string running;                 // a study's id; empty: none runs
+  size_t done = 0, total = 0;          // of the one that runs, or else of the one that is shown
+  std::optional<double> seconds_left;  // empty: nobody knows yet
+  std::string note;                    // why a study stopped or left cases out; empty = nothing to say
+};
+
 // What the UI reads this frame.
 struct Input {
   const Scene& scene;
@@ -48,6 +68,7 @@ struct Input {
   std::optional<PixelProbe> probe;           // of the pixel asked for
   std::optional<ErrorStats> error;           // of the error view; empty: not drawn yet
   double truth_progress = 1;                 // of the reference that is being made; 1: none is
+  const ChartInput* chart = nullptr;         // null: nothing is ever measured here
   std::string message;                       // an error or a notice to show until the next key; empty = none
   std::string banner;                        // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
   double seconds = 0;                        // a clock for motion, not part of any picture
@@ -70,6 +91,11 @@ struct Requests {
   std::array<bool, kViewCount> visible{};  // views that the next frame must draw
   glm::ivec2 picture_size{0};              // of the largest picture on screen, in screen pixels
   std::optional<double> wake_in;           // seconds until the window changes by itself (a caption ends)
+  struct Chart {
+    bool open = false;               // the settings at hand are to be measured
+    std::string study;               // whose rows are to be shown; empty = not chosen yet
+    bool run = false, stop = false;  // that study; any that runs
+  } chart;
 };
 
 // Window state that is no part of a picture's settings.

@@ -19,38 +19,46 @@ struct Todo {
   std::string key;
 };
 
-// What makes a row findable comes first: a line of the journal can be read by its beginning.
-Json head(const StudyPlan& plan, const Todo& todo) {
-  Json row;
-  row["study"] = plan.study;
-  row["case"] = todo.study_case->id;
-  row["key"] = todo.key;
-  row["at"] = Json::object();
-  for (const Coordinate& c : todo.study_case->at) row["at"][c.path] = c.value;
-  return row;
-}
-
 // Empty: the study is to stop.
 std::optional<Json> measured(const StudyPlan& plan, const Todo& todo, const RowFn& measure) {
-  Json row = head(plan, todo);
   std::string reason;
   try {
-    const Json columns = measure(*todo.study_case);
-    for (const auto& [name, value] : columns.items())
-      if (!row.contains(name)) row[name] = value;
-    return row;
+    return measured_row(plan.study, *todo.study_case, measure(*todo.study_case));
   } catch (const Error& e) {
     if (e.code() == ExitCode::interrupted) return {};
     reason = e.what();
   } catch (const std::exception& e) {  // no memory for this one's targets: smaller ones may follow
     reason = e.what();
   }
-  row["failed"] = reason;
-  row["settings"] = to_json(todo.study_case->settings);
+  return failed_row(plan.study, *todo.study_case, reason);
+}
+
+// What makes a row findable comes first: a line of the journal can be read by its beginning.
+Json head(const std::string& study, const StudyCase& c) {
+  Json row;
+  row["study"] = study;
+  row["case"] = c.id;
+  row["key"] = row_key(c.settings);
+  row["at"] = Json::object();
+  for (const Coordinate& at : c.at) row["at"][at.path] = at.value;
   return row;
 }
 
 }  // namespace
+
+Json measured_row(const std::string& study, const StudyCase& c, const Json& columns) {
+  Json row = head(study, c);
+  for (const auto& [name, value] : columns.items())
+    if (!row.contains(name)) row[name] = value;
+  return row;
+}
+
+Json failed_row(const std::string& study, const StudyCase& c, const std::string& reason) {
+  Json row = head(study, c);
+  row["failed"] = reason;
+  row["settings"] = to_json(c.settings);
+  return row;
+}
 
 Shard parse_shard(std::string_view text) {
   const auto bad = [&](std::string_view what) {

@@ -36,6 +36,10 @@ struct StudyCounts {
 using RowFn = std::function<Json(const StudyCase&)>;
 using ProgressFn = std::function<void(const StudyProgress&)>;  // before each case and at the end
 
+// A row of a case: where it stands in its study, then its columns or why there are none.
+Json measured_row(const std::string& study, const StudyCase&, const Json& columns);
+Json failed_row(const std::string& study, const StudyCase&, const std::string& reason);
+
 // Stops between two rows when `cancel` is set. Errors of the journal are thrown on: a row that cannot be kept need not
 // be measured.
 StudyCounts run_study(const StudyPlan&, Shard, Journal&, const RowFn&, const ProgressFn&,

@@ -1,0 +1,77 @@
+#pragma once
+// Set-ups measured while the window goes on: a study in the scene and with the truth at hand, and the settings at hand
+// themselves. A small piece of work a frame, with targets of its own, and only while nothing else wants the machine.
+// Rows are kept in memory, and are shown only beside the truth that they were measured with.
+#include <list>
+
+#include "app/bench.h"
+#include "renderer/study/study_spec.h"
+#include "ui/ui.h"
+
+namespace gbl {
+
+class Lab;
+
+class BackgroundStudy {
+ public:
+  static constexpr glm::ivec2 kSize{320, 180};  // a row then takes about a second on a software driver
+
+  explicit BackgroundStudy(Lab& lab) : lab_(lab) { shown_.size = kSize; }
+
+  // Once a frame. `quiet`: nobody touches the window and nothing moves in it; only then is anything measured.
+  void update(const Settings& now, const ui::Requests::Chart&, bool quiet);
+  // Is there more to measure?
+  bool busy() const { return running_ || task_ != Task::none || wanted_; }
+  // Other programs draw, or another scene: what was measured says nothing about them.
+  void forget();
+  const ui::ChartInput& chart() const { return shown_; }
+
+ private:
+  struct Row {
+    Json json;
+    Settings settings;  // as asked for
+  };
+  struct Run {
+    std::string study;
+    Settings truth;
+    std::vector<std::string> varied;  // paths of the truth that its cases differ in
+    StudyPlan plan;
+    std::vector<Row> rows;  // of the first so many cases
+    double spent_s = 0;     // on them
+    bool complete() const { return rows.size() == plan.cases.size(); }
+    bool fits(const Settings&) const;  // is this its truth?
+  };
+  enum class Task { none, study, at_hand };
+
+  void take(const ui::Requests::Chart&, const Settings& now);
+  void list_studies();
+  void start(const std::string& study, const Settings& now);
+  Run make_run(const std::string& study, const Settings& now) const;
+  void stop(const std::string& why);
+  void give_up();
+  void work(const Settings& now);
+  bool begin_next(const Settings& now);
+  void finish(Json row);
+  Run* run_here(const std::string& study, const Settings& now);
+  void show(const Settings& now);
+  void show_progress(const Run*);
+  std::string words_for(const Run*) const;
+
+  Lab& lab_;
+  std::optional<Bench> bench_;  // from the first measurement on
+  std::shared_ptr<const GpuScene> scene_;
+  std::list<Run> runs_;  // the latest first
+  Run* running_ = nullptr;
+  std::vector<Row> tried_;  // settings that were at hand
+  Task task_ = Task::none;
+  StudyCase measured_;  // by the task
+  double begun_s_ = 0;
+  bool wanted_ = false;  // the settings at hand are to be measured
+  bool changed_ = true;  // the rows, or which are chosen
+  std::string study_;    // whose rows are shown
+  std::string note_;     // what became of the study that ran last
+  Settings shown_for_;
+  ui::ChartInput shown_;
+};
+
+}  // namespace gbl

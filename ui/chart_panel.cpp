@@ -1,0 +1,192 @@
+// F3: a study's set-ups as points, their errors up and their costs to the right, and the settings at hand among them.
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "ui/chart_view.h"
+#include "ui/plot.h"
+
+namespace gbl::ui {
+namespace {
+
+struct Places {
+  Box head, study, y_title, plot, x_title, counts, family, legend, words, keys;
+};
+
+// Lines of text at the top and at the bottom, as high as they need but for the legend; the plot takes the rest.
+Places lay_out(const Box& room, const Type& t, float family_width, const std::vector<LegendRow>& legend, bool note) {
+  Places p;
+  const float body = line_height(t.body), small = line_height(t.small), gap = std::round(t.small * 0.4f);
+  float top = room.min.y, bottom = room.max.y;
+  const float legend_height = series_legend_height(legend, room.width() - family_width - 2 * gap, t.small);
+  const auto below = [&](float height) {
+    const Box box{{room.min.x, top}, {room.max.x, top + height}};
+    top = box.max.y + gap;
+    return box;
+  };
+  const auto above = [&](float height) {
+    const Box box{{room.min.x, bottom - height}, {room.max.x, bottom}};
+    bottom = box.min.y - gap;
+    return box;
+  };
+  p.head = below(line_height(t.large));
+  p.study = below(body);
+  p.y_title = below(body);
+  p.keys = above(2.6f * small);
+  p.words = above(std::min(8.4f * body, 0.22f * room.height()));
+  p.legend = p.family = above(std::clamp(legend_height, small, 0.14f * room.height()));
+  p.family.max = {p.legend.min.x + family_width, p.legend.min.y + small};
+  p.legend.min.x += family_width + 2 * gap;
+  p.counts = above(note ? 3 * small : small);
+  p.x_title = above(body);
+  p.plot = {{room.min.x, top}, {room.max.x, bottom}};
+  return p;
+}
+
+// ---- lines with keys in them ---------------------------------------------------------------------------------
+// A cap and words beside it, in one line.
+void draw_keyed(Painter& p, const Box& box, float px, std::string_view key, ImU32 colour, std::string_view words) {
+  const float left = box.min.x + p.key_cap(box.min, px, key) + px * 0.5f;
+  p.text_in({{left, box.min.y + above_text(px)}, {box.max.x, box.max.y + px}}, px, colour, words);
+}
+
+struct Hint {
+  Box box;
+  const ChartKey* row;
+};
+
+// The keys with their words, line after line, as large as they fit.
+std::vector<Hint> flow_of_hints(const Box& box, float px) {
+  std::vector<Hint> hints;
+  ImVec2 at = box.min;
+  for (const ChartKey& k : chart_keys()) {
+    const float width = key_cap_width(k.key, px) + px * 0.4f + text_size(k.words, px).x;
+    if (at.x > box.min.x && at.x + width > box.max.x) at = {box.min.x, at.y + std::round(line_height(px) * 1.12f)};
+    hints.push_back({{at, {at.x + width, at.y + line_height(px)}}, &k});
+    at.x += width + px;
+  }
+  return hints;
+}
+
+void draw_hints(Frame& f, Painter& p, const Box& box) {
+  float px = f.type.small;
+  std::vector<Hint> hints = flow_of_hints(box, px);
+  while (px > kSmallestPx && hints.back().box.max.y > box.max.y) hints = flow_of_hints(box, px -= 1);
+  if (hints.back().box.max.y > box.max.y + 1) f.state.cut_texts.emplace_back("the chart's keys");
+  for (const Hint& h : hints) {
+    const float cap = p.key_cap(h.box.min, px, h.row->key);
+    p.text({h.box.min.x + cap + px * 0.4f, h.box.min.y + above_text(px)}, px, kDim, h.row->words);
+    if (std::string_view(h.row->key).size() > 1) continue;  // several keys: the mouse has ways of its own
+    ImGui::SetCursorScreenPos(h.box.min);
+    if (ImGui::InvisibleButton(h.row->words, h.box.size())) h.row->run(f, {h.row->key});
+  }
+}
+
+// Without what follows a colon: that tells of the study's own scene.
+std::string label_of_study(const ChartInput& in, const std::string& id) {
+  for (const ChartInput::Study& s : in.studies)
+    if (s.id == id) return s.label.substr(0, s.label.find(':'));
+  return "";
+}
+
+void draw_head(Frame& f, Painter& p, const Places& at) {
+  const ChartInput& in = chart_input(f);
+  const ChartState& s = f.state.chart;
+  const std::string progress = progress_text(in);
+  const float right = at.head.max.x - text_size(progress, f.type.body).x;
+  const bool other = !in.running.empty() && in.running != s.study;
+  p.text_in({at.head.min, {right - f.type.body, at.head.max.y}}, f.type.large, kAccent, "Speed against accuracy");
+  p.text({right, at.head.min.y + (at.head.height() - f.type.body) / 2}, f.type.body, kText, progress);
+  if (in.total > 0) {  // a bar below it: how far the study has come
+    const float y = at.head.max.y + 1, share = static_cast<float>(in.done) / static_cast<float>(in.total);
+    p.fill({{at.head.min.x, y}, {at.head.max.x, y + 2}}, kRaised);
+    p.fill({{at.head.min.x, y}, {at.head.min.x + share * at.head.width(), y + 2}}, kAccent);
+  }
+  std::string words = fmt::format("study “{}”", s.study);
+  if (const std::string label = label_of_study(in, s.study); !label.empty()) words += fmt::format(": {}", label);
+  words += fmt::format("; in this scene, at {}x{}", in.size.x, in.size.y);
+  if (other) words += fmt::format("   (“{}” is running)", in.running);
+  draw_keyed(p, at.study, f.type.body, "S", kText, words);
+}
+
+// ---- below the plot --------------------------------------------------------------------------------------------
+std::vector<LegendRow> legend_rows(const ChartState& s, const ChartView& v) {
+  std::vector<LegendRow> rows;
+  for (const ChartFamily& family : v.families) {
+    const size_t n = family.number;
+    const std::string key = n < 8 ? std::to_string(n + 1) : n < 16 ? fmt::format("⇧{}", n - 7) : "";
+    rows.push_back({key, family.name.empty() ? "other" : family.name, series_look(n), family_on(s, family.name)});
+  }
+  return rows;
+}
+
+void use_legend(Frame& f, const ChartView& v, const std::vector<Box>& places) {
+  for (size_t i = 0; i < places.size(); ++i) {
+    ImGui::SetCursorScreenPos(places[i].min);
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::InvisibleButton("family", places[i].size())) toggle_family(f.state.chart, v.families[i].name);
+    ImGui::PopID();
+  }
+}
+
+void draw_words(Frame& f, Painter& p, const Box& box, const ChartView& v) {
+  const ChartInput& in = chart_input(f);
+  p.fill(box, kSurface, 4);
+  const Box room = box.inset(std::round(f.type.small * 0.6f));
+  std::optional<size_t> row = in.current;
+  std::string title = "Now";
+  if (v.selected && v.selected != v.current) row = v.point(*v.selected).row, title = "Selected; Enter applies it";
+  if (!row || *row >= in.rows.size()) {
+    const char* text = in.measuring ? "The settings at hand are being measured."
+                                    : "Point at a point, or choose one with the arrow keys, to read it here.";
+    p.text_in(room, f.type.body, kText, text, true);
+    return;
+  }
+  title += ":  " + row_title(in, *row);
+  const bool now = row == in.current;
+  const float height = std::min(room.height() * 0.34f, text_size(title, f.type.body, room.width()).y);
+  p.text_in({room.min, {room.max.x, room.min.y + height}}, f.type.body, now ? kAccent : kText, title, true);
+  draw_fields(p, {{room.min.x, room.min.y + height + f.type.small * 0.3f}, room.max}, row_fields(in, v, *row),
+              f.type.body);
+}
+
+void draw_counts(Frame& f, Painter& p, const Box& box, const ChartView& v) {
+  const ChartInput& in = chart_input(f);
+  std::vector<Paragraph> lines{{counts_text(in, v), kText, f.type.small}};
+  if (!in.note.empty()) lines.push_back({in.note, kAccent, f.type.small});
+  draw_paragraphs(p, box, lines, 1);
+}
+
+}  // namespace
+
+Box chart_box(const Frame& f) {
+  const Box& canvas = f.layout.canvas;
+  return {{canvas.min.x + std::round(800 * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
+}
+
+void draw_chart(Frame& f) {
+  ChartState& s = f.state.chart;
+  f.requests.chart = {s.open, s.study, std::exchange(s.run, false), std::exchange(s.stop, false)};
+  if (!s.open) return;
+  const Box box = chart_box(f), room = box.inset(std::round(12 * f.layout.unit));
+  begin_overlay("chart", box, kBackground);
+  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
+  ChartView v = chart_view(f);
+  const std::vector<LegendRow> legend = legend_rows(s, v);
+  const std::string family = fmt::format("by {}", family_paths()[s.family].label);
+  const float family_width = key_cap_width("G", f.type.small) + text_size(family, f.type.small).x + f.type.small;
+  const Places at = lay_out(room, f.type, family_width, legend, !chart_input(f).note.empty());
+  Plot plot(p, at.plot, v.x, v.y, f.type.small);
+  use_chart_mouse(f, plot, v);
+  draw_head(f, p, at);
+  draw_keyed(p, at.y_title, f.type.body, "Y", kText, fmt::format("↑ {}", axis_title(v.chart.y)));
+  draw_chart_points(f, p, plot, v);
+  draw_keyed(p, at.x_title, f.type.body, "X", kText, fmt::format("→ {}", axis_title(v.chart.x)));
+  draw_counts(f, p, at.counts, v);
+  draw_keyed(p, at.family, f.type.small, "G", kText, family);
+  use_legend(f, v, draw_series_legend(p, at.legend, legend, f.type.small));
+  draw_words(f, p, at.words, v);
+  draw_hints(f, p, at.keys);
+  end_overlay();
+}
+
+}  // namespace gbl::ui

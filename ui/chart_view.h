@@ -1,0 +1,56 @@
+#pragma once
+// What the chart shows in a frame: the rows as points on the chosen axes, without the families that are switched off.
+#include "ui/state.h"
+
+namespace gbl::ui {
+
+struct FamilyPath {
+  const char* path;
+  const char* label;
+};
+std::span<const FamilyPath> family_paths();
+
+// Keeps its number, and with it its key, colour and shape, whatever else is measured: that of its row in the options
+// table.
+struct ChartFamily {
+  std::string name;
+  size_t number;
+};
+
+struct ChartView {
+  Chart chart;                        // every point
+  std::vector<ChartFamily> families;  // by their numbers
+  std::vector<size_t> shown;          // of them: their family is on
+  std::vector<size_t> front;          // of the shown: none of them is better in both; by cost
+  ChartAxis whole_x, whole_y;         // of what is shown
+  ChartAxis x, y;                     // of them the part that is looked at
+  std::optional<size_t> selected;     // a shown point
+  std::optional<size_t> current;      // the settings at hand; shown or not
+  const ChartPoint& point(size_t i) const { return chart.points[i]; }
+  SeriesLook look(size_t i) const;  // of a point
+};
+const ChartInput& chart_input(const Frame&);  // an empty one where nothing is ever measured
+ChartView chart_view(const Frame&);
+
+std::string row_key_of(const Json& row);
+bool family_on(const ChartState&, const std::string& family);
+void toggle_family(ChartState&, const std::string& family);
+void apply_row(Frame&, size_t row);  // of the input: all that is no size, view, time, nor this scene's camera
+
+// A row in words, for the box below the plot.
+std::vector<Field> row_fields(const ChartInput&, const ChartView&, size_t row);
+std::string row_title(const ChartInput&, size_t row);
+std::string progress_text(const ChartInput&);  // "37/272, 4 min left"; "" = nothing to count
+std::string counts_text(const ChartInput&, const ChartView&);
+
+void draw_chart_points(Frame&, Painter&, Plot&, const ChartView&);
+void use_chart_mouse(Frame&, const Plot&, const ChartView&);  // point, click, drag, wheel
+
+struct ChartKey {
+  const char* key;    // as printed
+  const char* words;  // for the hint line
+  void (*run)(Frame&, const KeyEvent&);
+};
+std::span<const ChartKey> chart_keys();
+
+}  // namespace gbl::ui
