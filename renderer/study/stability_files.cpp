@@ -6,7 +6,7 @@
 #include "renderer/image.h"
 #include "renderer/settings_json.h"
 #include "renderer/study/stability_chart.h"
-#include "renderer/study/stability_gnuplot.h"
+#include "renderer/study/gnuplot.h"
 
 namespace gbl {
 namespace {
@@ -102,7 +102,7 @@ void write_stability_files(const std::filesystem::path& folder, const std::vecto
   for (const SweepResult& r : results)
     for (const auto& [file, ending] : {std::pair(StabilityFile::svg, ".svg"), std::pair(StabilityFile::png, ".png")})
       write_text_file(folder / (std::string(r.sweep->id) + ending),
-                      drawn_by_gnuplot(stability_script(r, device, file)));
+                      run_gnuplot(stability_script(r, device, file)));
 }
 
 }  // namespace gbl
