@@ -46,11 +46,8 @@ bool measured_enough(int frames, double seconds, double slowest_s) {
   return seconds >= 20 && frames >= (slowest_s > 20 ? 1 : 3);
 }
 
-Json study_row(const FrameReport& r, const Errors& errors, const Timing& timing, const Machine& machine) {
-  Json row;
-  for (const ErrorColumn& c : error_columns()) row[c.id] = number_or_null(errors.*c.value);
-  append_times(row, timing);
-  row["frames"] = timing.frames;
+void append_costs(Json& row, const FrameReport& r, const Machine& machine) {
+  row["size"] = fmt::format("{}x{}", r.size.x, r.size.y);
   row["time_source"] = r.time_source;
   row["pairs_tested"] = r.pairs ? Json(r.pairs->tested) : Json(nullptr);
   row["pairs_shaded"] = r.pairs ? Json(r.pairs->shaded) : Json(nullptr);
@@ -61,7 +58,14 @@ Json study_row(const FrameReport& r, const Errors& errors, const Timing& timing,
   row["draw_calls"] = r.draw_calls;
   row["driver"] = machine.driver;
   row["device"] = machine.device;
-  row["size"] = fmt::format("{}x{}", r.size.x, r.size.y);
+}
+
+Json study_row(const FrameReport& r, const Errors& errors, const Timing& timing, const Machine& machine) {
+  Json row;
+  for (const ErrorColumn& c : error_columns()) row[c.id] = number_or_null(errors.*c.value);
+  append_times(row, timing);
+  row["frames"] = timing.frames;
+  append_costs(row, r, machine);
   row["settings"] = to_json(r.drawn);
   return row;
 }

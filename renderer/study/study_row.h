@@ -28,6 +28,9 @@ struct Machine {
   std::string driver, device;
 };
 
+// What a frame costs but for its times: size, time_source, pairs, bytes, draw calls, driver and device.
+void append_costs(Json& row, const FrameReport&, const Machine&);
+
 // All columns: errors, times, pairs, bytes, draw calls, machine, settings. Null: not measured.
 Json study_row(const FrameReport&, const Errors&, const Timing&, const Machine&);
 
