@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <future>
 #include <sstream>
+#include <thread>
+#include <unistd.h>
 
 #include "app/commands.h"
 #include "app/headless.h"
@@ -40,6 +42,17 @@ void announce(Lab& lab, const Settings& s) {
   lab.open(s.scene);
   const double ms = lab.cost().predict_ms(s, lights_of(s, lab.scene()));
   if (ms > kWarnMs) fmt::print(stderr, "gbufferlab: this frame is predicted to take about {:.0f} s\n", ms / 1000);
+}
+
+// The reference may take long where there are many lights: on a terminal its progress is shown.
+void draw_against_truth(Lab& lab, View v) {
+  const bool terminal = isatty(STDERR_FILENO);
+  for (bool shown = false; !lab.draw_truth_view(v, false); shown = true) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(shown ? 100 : 10));
+    if (terminal && shown) fmt::print(stderr, "\r\033[Kreference: {:.0f} %", 100 * lab.truth_progress());
+  }
+  if (terminal) fmt::print(stderr, "\r\033[K");
+  if (v == View::error) lab.take_error_stats(true);
 }
 
 // PNGs are packed on other threads while the GPU draws the next view.
@@ -121,7 +134,7 @@ ExitCode run_render(const Arguments& a) {
   Writer writer(folder, {{kSettingsKey, state}});
   for (const View v : shown) {
     if (needs_truth(v))
-      lab.draw_truth_view(v, true);
+      draw_against_truth(lab, v);
     else
       lab.draw_view(v);
     writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v));

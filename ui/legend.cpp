@@ -38,8 +38,14 @@ void draw_row(Painter& p, ImVec2 at, const std::vector<LegendEntry>& entries, co
 // Labels below a lying bar start at their ticks; the last one reaches out beyond the bar's end.
 bool labels_apart(const std::vector<LegendEntry>& entries, float bar, const Metrics& m) {
   const float step = bar / static_cast<float>(entries.size() - 1);
-  return std::all_of(entries.begin(), entries.end() - 1,
-                     [&](const LegendEntry& e) { return label_width(e, m) + m.gap <= step; });
+  float room = 0;  // to the next label on the right; entries without one only lend their colour
+  for (auto e = entries.rbegin() + 1; e != entries.rend(); ++e) {
+    room += step;
+    if (e->label.empty()) continue;
+    if (label_width(*e, m) + m.gap > room) return false;
+    room = 0;
+  }
+  return true;
 }
 
 void fill_bar(Painter& p, const Box& bar, const std::vector<LegendEntry>& entries, bool lying) {
@@ -67,6 +73,7 @@ void draw_lying_bar(Painter& p, const Box& panel, const Legend& legend, float ba
   const float step = bar / static_cast<float>(legend.entries.size() - 1);
   for (size_t i = 0; i < legend.entries.size(); ++i) {
     const float x = at.x + step * static_cast<float>(i);
+    if (legend.entries[i].label.empty()) continue;
     p.list().AddLine({x, at.y}, {x, at.y + m.swatch + m.gap}, kDim);
     p.text({x + 3, at.y + m.swatch + above_text(m.px)}, m.px, kText, legend.entries[i].label);
   }
