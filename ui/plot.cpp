@@ -48,12 +48,16 @@ std::vector<std::vector<int>> parts_of(Mark mark) {
 
 }  // namespace
 
-SeriesLook series_look(size_t n) { return {static_cast<Mark>(n % kMarks), kColours[n % std::size(kColours)]}; }
+SeriesLook series_look(size_t n) {
+  return {static_cast<Mark>(n % kMarks), kColours[n % std::size(kColours)], (n / kMarks) % 2 == 1};
+}
 
 void draw_mark(ImDrawList& list, ImVec2 centre, float radius, const SeriesLook& look) {
+  const ImU32 inside = look.hollow ? kEdge : look.colour, border = look.hollow ? look.colour : kEdge;
+  const float thickness = look.hollow ? std::max(1.5f, radius * 0.35f) : 1;
   if (look.mark == Mark::disc) {
-    list.AddCircleFilled(centre, radius, look.colour, 16);
-    list.AddCircle(centre, radius, kEdge, 16, 1);
+    list.AddCircleFilled(centre, radius, inside, 16);
+    list.AddCircle(centre, radius, border, 16, thickness);
     return;
   }
   Corners all = corners_of(look.mark);
@@ -62,13 +66,13 @@ void draw_mark(ImDrawList& list, ImVec2 centre, float radius, const SeriesLook& 
     p = {centre.x + radius * p.x, centre.y + radius * p.y};
   }
   const std::vector<std::vector<int>> parts = parts_of(look.mark);
-  if (parts.empty()) list.AddConvexPolyFilled(all.data(), static_cast<int>(all.size()), look.colour);
+  if (parts.empty()) list.AddConvexPolyFilled(all.data(), static_cast<int>(all.size()), inside);
   for (const std::vector<int>& part : parts) {
     Corners some;
     for (const int i : part) some.push_back(all[static_cast<size_t>(i)]);
-    list.AddConvexPolyFilled(some.data(), static_cast<int>(some.size()), look.colour);
+    list.AddConvexPolyFilled(some.data(), static_cast<int>(some.size()), inside);
   }
-  list.AddPolyline(all.data(), static_cast<int>(all.size()), kEdge, ImDrawFlags_Closed, 1);
+  list.AddPolyline(all.data(), static_cast<int>(all.size()), border, ImDrawFlags_Closed, thickness);
 }
 
 double PlotAxis::along(double value) const {
