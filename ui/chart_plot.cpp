@@ -19,7 +19,7 @@ void draw_front(Plot& plot, const ChartView& v) {
   std::vector<glm::dvec2> corners;
   for (const size_t i : v.front) corners.push_back(value_of(v.point(i)));
   if (corners.empty()) return;
-  corners.push_back({std::max(plot.x().scale.high, corners.back().x), corners.back().y});
+  corners.emplace_back(std::max(plot.x().scale.high, corners.back().x), corners.back().y);
   plot.draw_steps(corners, kDim, 2);
 }
 

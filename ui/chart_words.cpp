@@ -110,7 +110,7 @@ std::string progress_text(const ChartInput& in) {
   std::string text = fmt::format("{}/{}", in.done, in.total);
   if (in.running.empty()) return text;
   if (!in.seconds_left) return text + ", running";
-  const int s = static_cast<int>(*in.seconds_left + 0.5);
+  const long s = std::lround(*in.seconds_left);
   return text + (s >= 120 ? fmt::format(", {} min left", (s + 30) / 60) : fmt::format(", {} s left", s));
 }
 

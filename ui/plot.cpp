@@ -203,7 +203,7 @@ void Plot::draw_line(const std::vector<glm::dvec2>& points, ImU32 colour, float 
 void Plot::draw_steps(const std::vector<glm::dvec2>& points, ImU32 colour, float thickness) {
   std::vector<glm::dvec2> corners;
   for (const glm::dvec2& p : points) {
-    if (!corners.empty()) corners.push_back({p.x, corners.back().y});
+    if (!corners.empty()) corners.emplace_back(p.x, corners.back().y);
     corners.push_back(p);
   }
   draw_line(corners, colour, thickness);
@@ -257,7 +257,8 @@ std::vector<Box> draw_series_legend(Painter& p, const Box& box, const std::vecto
   const LegendColumns c = legend_columns(rows, box.width(), px);
   std::vector<Box> places;
   for (size_t i = 0; i < rows.size(); ++i) {  // down each column, as it is read
-    const auto column = static_cast<float>(i / c.lines), line = static_cast<float>(i % c.lines);
+    const size_t nth_column = i / c.lines;
+    const auto column = static_cast<float>(nth_column), line = static_cast<float>(i % c.lines);
     const ImVec2 min{box.min.x + column * c.width, std::round(box.min.y + line * legend_line(px))};
     places.push_back({min, {min.x + c.width - px * 0.5f, min.y + legend_line(px)}});
     draw_legend_row(p, places.back(), rows[i], px);

@@ -38,7 +38,7 @@ struct PlotAxis {
 
   double along(double value) const;  // as a Span counts
   float place(double value) const;
-  double value(float place) const;
+  double value(float at) const;
   bool shows(double value) const;  // is it between the ends?
   Span span() const;
   void look_at(const Span&);
