@@ -129,9 +129,7 @@ void BackgroundStudy::update(const Settings& now, const ui::Requests::Chart& ask
   }
   if (!scene_) return;
   take(asked, now);
-  wanted_ = false;
-  if (!asked.open && !running_) return give_up();
-  show(now);
+  if (asked.open || running_ || changed_) show(now);
   wanted_ = asked.open && !shown_.current && now.scene == lab_.scene_name();
   if (task_ == Task::at_hand && (!wanted_ || !(measured_.settings == as_measured(now)))) give_up();
   if (quiet) work(now);

@@ -141,6 +141,17 @@ TEST_F(BackgroundStudies, AChangeOfTruthStopsItAndKeepsItsRowsOut) {
   EXPECT_GE(chart().rows.size(), 2u) << "its own truth brings them back";
 }
 
+TEST_F(BackgroundStudies, ClosingTheChartLetsItGoOnAndAChangeStopsItThere) {
+  Settings s = settled();
+  frame(s, {.open = true, .study = few_, .run = true});
+  run_until_done(2, s, {.study = few_});
+  EXPECT_EQ(chart().running, few_);
+  s.exposure *= 2;
+  frame(s, {.study = few_});
+  EXPECT_EQ(chart().running, "") << "the status bar must not say that it runs";
+  settle(s, showing({View::final}));
+}
+
 TEST_F(BackgroundStudies, TruthThatTheStudyVariesIsNoChange) {
   Settings s = settled();
   frame(s, {.study = few_, .run = true});

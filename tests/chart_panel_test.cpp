@@ -65,11 +65,15 @@ TEST(PlotAxis, ZoomingKeepsThePlaceAndHasItsLimits) {
   EXPECT_FALSE(ticks_seen({.logarithmic = true, .low = 3.1, .high = 3.100001}).empty());
 }
 
-TEST(PlotMarks, FiftySixSeriesDifferAndNeighboursInBoth) {
-  std::set<std::pair<Mark, ImU32>> seen;
-  for (size_t i = 0; i < 56; ++i) {
+TEST(PlotMarks, SixteenSeriesDifferWithoutTheirColoursAndNeighboursInBoth) {
+  std::set<std::tuple<Mark, bool, ImU32>> seen;
+  std::set<std::pair<Mark, bool>> shapes;
+  for (size_t i = 0; i < 112; ++i) {
     const SeriesLook a = series_look(i), b = series_look(i + 1);
-    EXPECT_TRUE(seen.insert({a.mark, a.colour}).second) << i;
+    EXPECT_TRUE(seen.insert({a.mark, a.hollow, a.colour}).second) << i;
+    if (i < 16) {
+      EXPECT_TRUE(shapes.insert({a.mark, a.hollow}).second) << i;
+    }
     EXPECT_NE(a.mark, b.mark) << i;
     EXPECT_NE(a.colour, b.colour) << i;
   }
@@ -476,7 +480,7 @@ TEST(ChartViews, ARowSaysWhatItIsAndWhatItCosts) {
   std::string words = row_title(desk.input, 0);
   for (const Field& field : row_fields(desk.input, m.view(), 0)) words += " | " + field.label + " " + field.text;
   for (const char* part : {row(LightMethod::quads).label, row(NormalEncoding::xyz8).label, "0.25", "12.5 ms",
-                           "p10 11.25", "p90 15", "9 frames", "shaded ÷ lit", "sound yes"})
+                           "p10 11.25", "p90 15", "1 000 lit", "sound yes"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in: " << words;
   desk.input.settings[0].lights.method = LightMethod::disc;
   EXPECT_NE(row_fields(desk.input, m.view(), 0).back().text.find(row(LightMethod::disc).pitfall), std::string::npos);

@@ -12,9 +12,18 @@ struct Places {
   Box head, study, y_title, plot, x_title, counts, family, legend, words, keys;
 };
 
+// How much of the panel the texts below the plot may take; in large type they shrink rather than the plot.
+struct Shares {
+  float words, legend, key_lines;
+};
+constexpr Shares kShares{0.20f, 0.14f, 2.6f}, kLargeShares{0.20f, 0.10f, 2.2f};
+constexpr float kLargeType = 18;  // pixels of the 1600x900 design
+
 // Lines of text at the top and at the bottom, as high as they need but for the legend; the plot takes the rest.
-Places lay_out(const Box& room, const Type& t, float family_width, const std::vector<LegendRow>& legend, bool note) {
+Places lay_out(const Box& room, const Type& t, float family_width, const std::vector<LegendRow>& legend, bool note,
+               bool large) {
   Places p;
+  const Shares& share = large ? kLargeShares : kShares;
   const float body = line_height(t.body), small = line_height(t.small), gap = std::round(t.small * 0.4f);
   float top = room.min.y, bottom = room.max.y;
   const float legend_height = series_legend_height(legend, room.width() - family_width - 2 * gap, t.small);
@@ -31,9 +40,9 @@ Places lay_out(const Box& room, const Type& t, float family_width, const std::ve
   p.head = below(line_height(t.large));
   p.study = below(body);
   p.y_title = below(body);
-  p.keys = above(2.6f * small);
-  p.words = above(std::min(8.4f * body, 0.22f * room.height()));
-  p.legend = p.family = above(std::clamp(legend_height, small, 0.14f * room.height()));
+  p.keys = above(share.key_lines * small);
+  p.words = above(std::min(6.6f * body, share.words * room.height()));
+  p.legend = p.family = above(std::clamp(legend_height, small, share.legend * room.height()));
   p.family.max = {p.legend.min.x + family_width, p.legend.min.y + small};
   p.legend.min.x += family_width + 2 * gap;
   p.counts = above(note ? 3 * small : small);
@@ -128,6 +137,14 @@ void use_legend(Frame& f, const ChartView& v, const std::vector<Box>& places) {
   }
 }
 
+// Error and cost, and whether it is sound; beside them what they come from.
+void draw_two_columns(Painter& p, const Box& box, const std::vector<Field>& fields, float px) {
+  if (fields.size() < 5) return draw_fields(p, box, fields, px);
+  const float middle = std::round(box.min.x + box.width() * 0.5f);
+  draw_fields(p, {box.min, {middle - px, box.max.y}}, {fields[0], fields[1], fields[4]}, px);
+  draw_fields(p, {{middle, box.min.y}, box.max}, {fields[2], fields[3]}, px);
+}
+
 void draw_words(Frame& f, Painter& p, const Box& box, const ChartView& v) {
   const ChartInput& in = chart_input(f);
   p.fill(box, kSurface, 4);
@@ -145,8 +162,8 @@ void draw_words(Frame& f, Painter& p, const Box& box, const ChartView& v) {
   const bool now = row == in.current;
   const float height = std::min(room.height() * 0.34f, text_size(title, f.type.body, room.width()).y);
   p.text_in({room.min, {room.max.x, room.min.y + height}}, f.type.body, now ? kAccent : kText, title, true);
-  draw_fields(p, {{room.min.x, room.min.y + height + f.type.small * 0.3f}, room.max}, row_fields(in, v, *row),
-              f.type.body);
+  draw_two_columns(p, {{room.min.x, room.min.y + height + f.type.small * 0.3f}, room.max}, row_fields(in, v, *row),
+                   f.type.body);
 }
 
 void draw_counts(Frame& f, Painter& p, const Box& box, const ChartView& v) {
@@ -174,7 +191,8 @@ void draw_chart(Frame& f) {
   const std::vector<LegendRow> legend = legend_rows(s, v);
   const std::string family = fmt::format("by {}", family_paths()[s.family].label);
   const float family_width = key_cap_width("G", f.type.small) + text_size(family, f.type.small).x + f.type.small;
-  const Places at = lay_out(room, f.type, family_width, legend, !chart_input(f).note.empty());
+  const Places at = lay_out(room, f.type, family_width, legend, !chart_input(f).note.empty(),
+                            f.type.body / f.layout.unit > kLargeType);
   Plot plot(p, at.plot, v.x, v.y, f.type.small);
   use_chart_mouse(f, plot, v);
   draw_head(f, p, at);

@@ -10,7 +10,7 @@ namespace {
 constexpr ImU32 kDark = IM_COL32(10, 12, 15, 255);
 constexpr double kWheelStep = 1.25;
 
-float mark_radius(const Type& t) { return std::round(t.small * 0.42f); }
+float mark_radius(const Type& t) { return std::round(t.small * 0.45f); }
 
 glm::dvec2 value_of(const ChartPoint& p) { return {p.cost, p.error}; }
 
@@ -19,46 +19,60 @@ void draw_front(Plot& plot, const ChartView& v) {
   std::vector<glm::dvec2> corners;
   for (const size_t i : v.front) corners.push_back(value_of(v.point(i)));
   if (corners.empty()) return;
-  corners.push_back({std::max(plot.x().scale.high, corners.back().x), corners.back().y});
+  corners.emplace_back(std::max(plot.x().scale.high, corners.back().x), corners.back().y);
   plot.draw_steps(corners, kDim, 2);
 }
 
 void draw_points(Plot& plot, const ChartView& v, float radius) {
-  for (const size_t i : v.shown) plot.draw_marks({value_of(v.point(i))}, v.look(i), radius);
+  for (const bool presets : {false, true})  // those with names on top
+    for (const size_t i : v.shown)
+      if (v.point(i).preset == presets) plot.draw_marks({value_of(v.point(i))}, v.look(i), radius);
 }
 
 bool overlap(const Box& a, const Box& b) {
   return a.min.x < b.max.x && b.min.x < a.max.x && a.min.y < b.max.y && b.min.y < a.max.y;
 }
 
-// A label beside its point, on the first of eight sides where it touches no other; none is free: no label.
+// Labels beside their points. They never touch each other, and cover a mark only where every other side is worse.
 class Labels {
  public:
   Labels(Painter& p, const Box& frame, float px) : painter_(p), frame_(frame), px_(px) {}
+  void avoid(ImVec2 centre, float radius) {
+    marks_.push_back({{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}});
+  }
   void keep_free(ImVec2 centre, float radius) {
-    taken_.push_back({{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}});
+    labels_.push_back({{centre.x - radius, centre.y - radius}, {centre.x + radius, centre.y + radius}});
   }
   void draw(ImVec2 point, float away, ImU32 colour, const std::string& text) {
-    const ImVec2 size = text_size(text, px_);
-    constexpr glm::vec2 kSides[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
-    for (const glm::vec2 side : kSides) {
-      const ImVec2 centre{point.x + side.x * (away + size.x / 2), point.y + side.y * (away + size.y / 2)};
-      const Box box{{centre.x - size.x / 2 - 2, centre.y - size.y / 2 - 1},
-                    {centre.x + size.x / 2 + 2, centre.y + size.y / 2 + 1}};
-      if (!frame_.contains(box)) continue;
-      if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& t) { return overlap(t, box); })) continue;
-      taken_.push_back(box);
-      painter_.fill(box, kBacking, 2);
-      painter_.text({box.min.x + 2, box.min.y + 1}, px_, colour, text);
-      return;
-    }
+    const std::optional<Box> box = place(point, away, text_size(text, px_));
+    if (!box) return;  // none is free: pointing at the mark tells its name
+    labels_.push_back(*box);
+    painter_.fill(*box, kBacking, 2);
+    painter_.text({box->min.x + 2, box->min.y + 1}, px_, colour, text);
   }
 
  private:
+  static long touched(const std::vector<Box>& list, const Box& box) {
+    return std::count_if(list.begin(), list.end(), [&](const Box& other) { return overlap(other, box); });
+  }
+  std::optional<Box> place(ImVec2 point, float away, ImVec2 size) const {
+    constexpr glm::vec2 kSides[] = {{1, 0}, {0, -1}, {-1, 0}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
+    std::optional<Box> best;
+    long fewest = 0;
+    for (const glm::vec2 side : kSides) {
+      const ImVec2 half{size.x / 2 + 2, size.y / 2 + 1};
+      const ImVec2 centre{point.x + side.x * (away + half.x), point.y + side.y * (away + half.y)};
+      const Box box{{centre.x - half.x, centre.y - half.y}, {centre.x + half.x, centre.y + half.y}};
+      if (!frame_.contains(box) || touched(labels_, box) > 0) continue;
+      const long covered = touched(marks_, box);
+      if (!best || covered < fewest) best = box, fewest = covered;
+    }
+    return best;
+  }
   Painter& painter_;
   Box frame_;
   float px_;
-  std::vector<Box> taken_;
+  std::vector<Box> labels_, marks_;
 };
 
 // Round and thick, dark on both sides: no mark looks like it, whatever it stands on.
@@ -88,6 +102,7 @@ void draw_current(Painter& p, const Plot& plot, const ChartView& v, float radius
   const ImVec2 at = plot.at(value_of(point));
   draw_mark(p.list(), at, radius * 1.3f, v.look(*v.current));
   draw_ring(p, at, radius * 2.8f, kAccent, 3.5f);
+  labels.keep_free(at, radius * 2.6f);
   labels.draw(at, radius * 2.8f + 4, kAccent, "now");
 }
 
@@ -148,10 +163,11 @@ void draw_chart_points(Frame& f, Painter& p, Plot& plot, const ChartView& v) {
   std::vector<size_t> presets;
   for (const size_t i : v.shown)
     if (v.point(i).preset && plot.shows(value_of(v.point(i)))) presets.push_back(i);
-  for (const size_t i : presets) labels.keep_free(plot.at(value_of(v.point(i))), radius);
+  for (const size_t i : v.shown) labels.avoid(plot.at(value_of(v.point(i))), radius);
   draw_selected(p, plot, v, radius);
   draw_current(p, plot, v, radius, labels);
-  for (const size_t i : presets) labels.draw(plot.at(value_of(v.point(i))), radius + 3, kText, v.point(i).label);
+  for (const size_t i : presets)
+    labels.draw(plot.at(value_of(v.point(i))), (i == v.current ? 2.8f * radius : radius) + 3, kText, v.point(i).label);
 }
 
 // Point: read it. Click: apply it. Drag: move the plot. Wheel: zoom.

@@ -35,11 +35,11 @@ ChartView chart_view(const Frame&);
 std::string row_key_of(const Json& row);
 bool family_on(const ChartState&, const std::string& family);
 void toggle_family(ChartState&, const std::string& family);
-void apply_row(Frame&, size_t row);  // of the input: all that is no size, view, time, nor this scene's camera
+void apply_row(Frame&, size_t index);  // of the input: all that is no size, view, time, nor this scene's camera
 
 // A row in words, for the box below the plot.
-std::vector<Field> row_fields(const ChartInput&, const ChartView&, size_t row);
-std::string row_title(const ChartInput&, size_t row);
+std::vector<Field> row_fields(const ChartInput&, const ChartView&, size_t index);
+std::string row_title(const ChartInput&, size_t index);
 std::string progress_text(const ChartInput&);  // "37/272, 4 min left"; "" = nothing to count
 std::string counts_text(const ChartInput&, const ChartView&);
 

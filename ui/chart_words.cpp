@@ -44,8 +44,7 @@ std::string value_of(const Json& row, const ChartColumn& c) {
   if (!c.id.ends_with(kMedian)) return text;
   const std::string stem = c.id.substr(0, c.id.size() - kMedian.size());
   const auto p10 = number(row, stem + "_p10"), p90 = number(row, stem + "_p90");
-  if (p10 && p90)
-    text += fmt::format(" (p10 {:.4g}, p90 {:.4g}; {:.0f} frames)", *p10, *p90, number(row, "frames").value_or(0));
+  if (p10 && p90) text += fmt::format(" (p10 {:.4g}, p90 {:.4g})", *p10, *p90);
   return text;
 }
 
@@ -54,13 +53,20 @@ std::string pairs_text(const Json& row) {
   if (!shaded) return "not counted";
   std::string text = fmt::format("{} shaded", grouped(static_cast<uint64_t>(*shaded)));
   if (lit) text += fmt::format(", {} lit", grouped(static_cast<uint64_t>(*lit)));
-  if (lit && *lit > 0) text += fmt::format(" (shaded ÷ lit {:.2f})", *shaded / *lit);
   return text;
 }
 
 std::string bytes_text(const Json& row) {
-  return fmt::format("{:.4g} G-buffer + {:.4g} light, {:.4g} MiB in all", number(row, "bytes_per_pixel").value_or(0),
-                     number(row, "accumulation_bytes_per_pixel").value_or(0), number(row, "mib").value_or(0));
+  return fmt::format("{:.4g} B G-buffer + {:.4g} B light a pixel", number(row, "bytes_per_pixel").value_or(0),
+                     number(row, "accumulation_bytes_per_pixel").value_or(0));
+}
+
+// A share of the pixels says more as a number of them.
+std::string error_text(const Json& row, const ChartColumn& c) {
+  const std::optional<double> share = column_value(row, c), all = number(row, "compared_pixels");
+  if (!c.id.starts_with("over_") || !share || !all || !std::isfinite(*share)) return value_of(row, c);
+  return fmt::format("{} of {} pixels ({:.4g})", grouped(static_cast<uint64_t>(std::lround(*share * *all))),
+                     grouped(static_cast<uint64_t>(*all)), *share);
 }
 
 Field sound_field(const Settings& s) {
@@ -91,10 +97,10 @@ std::string row_title(const ChartInput& in, size_t index) {
 std::vector<Field> row_fields(const ChartInput& in, const ChartView& v, size_t index) {
   const Json& row = in.rows[index];
   if (row.contains("failed")) return {{"failed", plain_text(row["failed"]), kUnsound}};
-  std::vector<Field> fields{{"error", fmt::format("{}   {}", value_of(row, v.chart.y), v.chart.y.id), kText},
-                            {"cost", value_of(row, v.chart.x), kText}};
-  fields.push_back({"bytes per pixel", bytes_text(row), kText});
-  fields.push_back({"pairs", pairs_text(row), kText});
+  std::vector<Field> fields{{"error", error_text(row, v.chart.y), kText},
+                            {"cost", value_of(row, v.chart.x), kText},
+                            {"stored", bytes_text(row), kText},
+                            {"pairs", pairs_text(row), kText}};
   if (index < in.settings.size()) fields.push_back(sound_field(in.settings[index]));
   return fields;
 }
@@ -104,7 +110,7 @@ std::string progress_text(const ChartInput& in) {
   std::string text = fmt::format("{}/{}", in.done, in.total);
   if (in.running.empty()) return text;
   if (!in.seconds_left) return text + ", running";
-  const int s = static_cast<int>(*in.seconds_left + 0.5);
+  const long s = std::lround(*in.seconds_left);
   return text + (s >= 120 ? fmt::format(", {} min left", (s + 30) / 60) : fmt::format(", {} s left", s));
 }
 

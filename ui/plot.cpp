@@ -48,12 +48,16 @@ std::vector<std::vector<int>> parts_of(Mark mark) {
 
 }  // namespace
 
-SeriesLook series_look(size_t n) { return {static_cast<Mark>(n % kMarks), kColours[n % std::size(kColours)]}; }
+SeriesLook series_look(size_t n) {
+  return {static_cast<Mark>(n % kMarks), kColours[n % std::size(kColours)], (n / kMarks) % 2 == 1};
+}
 
 void draw_mark(ImDrawList& list, ImVec2 centre, float radius, const SeriesLook& look) {
+  const ImU32 inside = look.hollow ? kEdge : look.colour, border = look.hollow ? look.colour : kEdge;
+  const float thickness = look.hollow ? std::max(1.5f, radius * 0.35f) : 1;
   if (look.mark == Mark::disc) {
-    list.AddCircleFilled(centre, radius, look.colour, 16);
-    list.AddCircle(centre, radius, kEdge, 16, 1);
+    list.AddCircleFilled(centre, radius, inside, 16);
+    list.AddCircle(centre, radius, border, 16, thickness);
     return;
   }
   Corners all = corners_of(look.mark);
@@ -62,13 +66,13 @@ void draw_mark(ImDrawList& list, ImVec2 centre, float radius, const SeriesLook& 
     p = {centre.x + radius * p.x, centre.y + radius * p.y};
   }
   const std::vector<std::vector<int>> parts = parts_of(look.mark);
-  if (parts.empty()) list.AddConvexPolyFilled(all.data(), static_cast<int>(all.size()), look.colour);
+  if (parts.empty()) list.AddConvexPolyFilled(all.data(), static_cast<int>(all.size()), inside);
   for (const std::vector<int>& part : parts) {
     Corners some;
     for (const int i : part) some.push_back(all[static_cast<size_t>(i)]);
-    list.AddConvexPolyFilled(some.data(), static_cast<int>(some.size()), look.colour);
+    list.AddConvexPolyFilled(some.data(), static_cast<int>(some.size()), inside);
   }
-  list.AddPolyline(all.data(), static_cast<int>(all.size()), kEdge, ImDrawFlags_Closed, 1);
+  list.AddPolyline(all.data(), static_cast<int>(all.size()), border, ImDrawFlags_Closed, thickness);
 }
 
 double PlotAxis::along(double value) const {
@@ -199,7 +203,7 @@ void Plot::draw_line(const std::vector<glm::dvec2>& points, ImU32 colour, float 
 void Plot::draw_steps(const std::vector<glm::dvec2>& points, ImU32 colour, float thickness) {
   std::vector<glm::dvec2> corners;
   for (const glm::dvec2& p : points) {
-    if (!corners.empty()) corners.push_back({p.x, corners.back().y});
+    if (!corners.empty()) corners.emplace_back(p.x, corners.back().y);
     corners.push_back(p);
   }
   draw_line(corners, colour, thickness);
@@ -253,7 +257,8 @@ std::vector<Box> draw_series_legend(Painter& p, const Box& box, const std::vecto
   const LegendColumns c = legend_columns(rows, box.width(), px);
   std::vector<Box> places;
   for (size_t i = 0; i < rows.size(); ++i) {  // down each column, as it is read
-    const auto column = static_cast<float>(i / c.lines), line = static_cast<float>(i % c.lines);
+    const size_t nth_column = i / c.lines;
+    const auto column = static_cast<float>(nth_column), line = static_cast<float>(i % c.lines);
     const ImVec2 min{box.min.x + column * c.width, std::round(box.min.y + line * legend_line(px))};
     places.push_back({min, {min.x + c.width - px * 0.5f, min.y + legend_line(px)}});
     draw_legend_row(p, places.back(), rows[i], px);

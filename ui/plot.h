@@ -18,8 +18,9 @@ inline constexpr size_t kMarks = 8;
 struct SeriesLook {
   Mark mark;
   ImU32 colour;
+  bool hollow = false;
 };
-// Of the n-th series: 56 differ, neighbours in colour and in shape.
+// Of the n-th series: sixteen differ without their colours, 112 with them.
 SeriesLook series_look(size_t n);
 void draw_mark(ImDrawList&, ImVec2 centre, float radius, const SeriesLook&);
 
@@ -37,7 +38,7 @@ struct PlotAxis {
 
   double along(double value) const;  // as a Span counts
   float place(double value) const;
-  double value(float place) const;
+  double value(float at) const;
   bool shows(double value) const;  // is it between the ends?
   Span span() const;
   void look_at(const Span&);
