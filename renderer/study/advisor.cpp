@@ -33,8 +33,9 @@ std::string in_words(const Patch& patch) {
   return out;
 }
 
-// Everything that a G-buffer could lose is kept, everything that is approximate is off.
-Settings lossless(const Settings& truth) {
+// Everything that a G-buffer could lose is kept, everything that is approximate is off. Depth decides which surface is
+// seen even where positions are stored apart: the finest there is.
+Settings lossless(const Settings& truth, FeatureSet features) {
   Settings s = truth;
   const Settings defaults;
   for (const Option& o : options())
@@ -46,6 +47,7 @@ Settings lossless(const Settings& truth) {
             {"accumulation.targets", "one"},
             {"lights.method", "auto"},
             {"lights.cull", "front"}});
+  if (features.has(Feature::clip_control)) apply(s, {{"depth.format", "d32f-reversed"}});
   s.view = {};
   return s;
 }
@@ -116,7 +118,7 @@ class Advisor {
         measure_(measure),
         progress_(progress),
         cancel_(cancel),
-        base_(lossless(truth)) {
+        base_(lossless(truth, limits.features)) {
     base_.lights.method = choose_method(base_, lights_of(truth, scene), limits.features).method;
   }
 
