@@ -91,8 +91,10 @@ std::vector<LegendRow> legend_rows(const Frame& f) {
   return rows;
 }
 
-void use_legend(Frame& f, const std::vector<Box>& places) {
+// A click chooses a curve, as the arrow keys do; the chosen one is framed.
+void use_legend(Frame& f, Painter& p, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
+    if (i == f.state.stability.curve) p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
     ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("curve", places[i].size())) f.state.stability.curve = i;
@@ -175,7 +177,7 @@ void draw_stability(Frame& f) {
     Plot plot(p, at.plot, axes.x, axes.y, f.type.small);
     draw_sweep_curves(f, p, plot);
     p.text_in(at.x_title, f.type.body, kText, fmt::format("→ {}", titled(sweep.parameter, sweep.unit)));
-    use_legend(f, draw_series_legend(p, at.legend, legend, f.type.small));
+    use_legend(f, p, draw_series_legend(p, at.legend, legend, f.type.small));
   }
   draw_stated(f, p, at.stated);
   if (!note.empty()) p.text_in(at.note, f.type.small, kAccent, note);
