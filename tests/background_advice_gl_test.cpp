@@ -27,9 +27,10 @@ class BackgroundAdvices : public ViewerTest {
     settle(s, showing({View::final}));
     return s;
   }
-  static constexpr ui::Requests::Advisor kOpen{.open = true, .budget = {}, .cost = AdviceCost::bytes};
-  static constexpr ui::Requests::Advisor kRun{.open = true, .budget = {}, .cost = AdviceCost::bytes, .run = true};
-  static constexpr ui::Requests::Advisor kStop{.open = true, .budget = {}, .cost = AdviceCost::bytes, .stop = true};
+  static constexpr ErrorBudget kBudget{8 / 255.0, 0.02};  // that some set-ups hold in the yard and some do not
+  static constexpr ui::Requests::Advisor kOpen{.open = true, .budget = kBudget, .cost = AdviceCost::bytes};
+  static constexpr ui::Requests::Advisor kRun{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .run = true};
+  static constexpr ui::Requests::Advisor kStop{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .stop = true};
 };
 
 TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
@@ -42,7 +43,7 @@ TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
   ASSERT_TRUE(shown().advice) << shown().note;
   EXPECT_TRUE(lab_->image_of(View::final) == before);
 
-  AdviceBench bench(*lab_, {}, AdviceCost::bytes);
+  AdviceBench bench(*lab_, kBudget, AdviceCost::bytes);
   const JudgeFn judge = [&](const Settings& setup, int camera) {
     bench.start_bound(setup, camera);
     bench.step(true);
@@ -50,7 +51,7 @@ TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
   };
   const std::atomic<bool> never{false};
   const Advice at_once = advise(
-      as_measured(s), lab_->scene(), {}, AdviceCost::bytes, lab_->limits(), judge, [](const Settings&) { return 0.0; },
+      as_measured(s), lab_->scene(), kBudget, AdviceCost::bytes, lab_->limits(), judge, [](const Settings&) { return 0.0; },
       [](const std::string&) {}, never);
   const auto expect_same = [](const std::optional<AdvisedSetup>& a, const std::optional<AdvisedSetup>& b) {
     ASSERT_EQ(a.has_value(), b.has_value());
@@ -61,6 +62,7 @@ TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
     EXPECT_EQ(a->proof.worst.worst, b->proof.worst.worst);
   };
   ASSERT_TRUE(at_once.best);
+  EXPECT_FALSE(at_once.left_out.empty());
   expect_same(shown().advice->best, at_once.best);
   expect_same(shown().advice->runner_up, at_once.runner_up);
   EXPECT_EQ(shown().advice->left_out, at_once.left_out);

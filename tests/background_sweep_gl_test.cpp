@@ -17,6 +17,7 @@ class BackgroundSweeps : public ViewerTest {
     return viewer_->busy();
   }
   void settle_picture() {
+    settings_ = yard_settings();
     frame({});
     settle(settings_, showing({View::final}));
   }
@@ -24,7 +25,7 @@ class BackgroundSweeps : public ViewerTest {
     for (int k = 0; k < 20000 && frame(asked); ++k) {}
     EXPECT_FALSE(viewer_->busy());
   }
-  Settings settings_ = yard_settings();
+  Settings settings_;
 };
 
 void expect_same(const SweepResult& a, const SweepResult& b) {
