@@ -58,7 +58,8 @@ bool BackgroundAdvice::step() {
 
 void BackgroundAdvice::work() {
   const double begin = now_s();
-  while (step() && now_s() - begin < kSliceSeconds) {}
+  while (step() && now_s() - begin < kSliceSeconds) {
+  }
 }
 
 void BackgroundAdvice::finish() {
@@ -87,8 +88,8 @@ void BackgroundAdvice::update(const Settings& now, const ui::Requests::Advisor& 
   if (!job_ && !(shown_.advice && asked.open)) return;
   if (const std::string changed = differing_truth(truth_, now, {}); !changed.empty()) {
     if (job_) stop(fmt::format("Stopped: the truth has changed ({}). R asks again.", changed));
-    shown_.note = note_.empty() ? fmt::format("This answer is of another truth ({} has changed). R asks again.", changed)
-                                : note_;
+    shown_.note =
+        note_.empty() ? fmt::format("This answer is of another truth ({} has changed). R asks again.", changed) : note_;
   }
   shown_.running = job_ != nullptr;
   if (!job_) return;

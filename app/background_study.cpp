@@ -10,10 +10,10 @@
 namespace gbl {
 namespace {
 
-constexpr size_t kKeptTruths = 6;      // of 14 MB each: a study may go through light counts in its inner loop
-constexpr size_t kMostRuns = 16;       // studies with their truths; the oldest goes
-constexpr size_t kMostTried = 64;      // set-ups tried by hand; the oldest goes
-constexpr int kTimedFrames = 9;        // an odd number has a median of its own; more would double the wait
+constexpr size_t kKeptTruths = 6;  // of 14 MB each: a study may go through light counts in its inner loop
+constexpr size_t kMostRuns = 16;   // studies with their truths; the oldest goes
+constexpr size_t kMostTried = 64;  // set-ups tried by hand; the oldest goes
+constexpr int kTimedFrames = 9;    // an odd number has a median of its own; more would double the wait
 constexpr const char* kByHand = "by-hand";
 
 }  // namespace

@@ -62,8 +62,8 @@ Json json_of(const std::vector<Tried>& all) {
 
 void print_setup(const char* title, const std::optional<AdvisedSetup>& s, AdviceCost cost) {
   if (!s) return;
-  fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, row(cost).unit,
-             s->bytes_per_pixel, setup_in_words(s->settings));
+  fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, row(cost).unit, s->bytes_per_pixel,
+             setup_in_words(s->settings));
   if (!s->proof.what.empty())
     fmt::print("  worst of {} cameras: {} of {} pixels over, the worst by {:.2f} codes at {}, {}; {} excused\n",
                kAdviceCameras, s->proof.worst.over, s->proof.worst.compared, 255 * s->proof.worst.worst,

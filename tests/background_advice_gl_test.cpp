@@ -30,7 +30,8 @@ class BackgroundAdvices : public ViewerTest {
   static constexpr ErrorBudget kBudget{8 / 255.0, 0.02};  // that some set-ups hold in the yard and some do not
   static constexpr ui::Requests::Advisor kOpen{.open = true, .budget = kBudget, .cost = AdviceCost::bytes};
   static constexpr ui::Requests::Advisor kRun{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .run = true};
-  static constexpr ui::Requests::Advisor kStop{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .stop = true};
+  static constexpr ui::Requests::Advisor kStop{
+      .open = true, .budget = kBudget, .cost = AdviceCost::bytes, .stop = true};
 };
 
 TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
@@ -38,7 +39,8 @@ TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
   const Image before = lab_->image_of(View::final);
   frame(s, kRun);
   EXPECT_TRUE(viewer_->busy());
-  for (int k = 0; k < 100000 && frame(s, kOpen); ++k) {}
+  for (int k = 0; k < 100000 && frame(s, kOpen); ++k) {
+  }
   EXPECT_FALSE(viewer_->busy());
   ASSERT_TRUE(shown().advice) << shown().note;
   EXPECT_TRUE(lab_->image_of(View::final) == before);
@@ -51,8 +53,8 @@ TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {
   };
   const std::atomic<bool> never{false};
   const Advice at_once = advise(
-      as_measured(s), lab_->scene(), kBudget, AdviceCost::bytes, lab_->limits(), judge, [](const Settings&) { return 0.0; },
-      [](const std::string&) {}, never);
+      as_measured(s), lab_->scene(), kBudget, AdviceCost::bytes, lab_->limits(), judge,
+      [](const Settings&) { return 0.0; }, [](const std::string&) {}, never);
   const auto expect_same = [](const std::optional<AdvisedSetup>& a, const std::optional<AdvisedSetup>& b) {
     ASSERT_EQ(a.has_value(), b.has_value());
     if (!a) return;
@@ -107,7 +109,8 @@ TEST_F(BackgroundAdvices, WhatCannotBeMeasuredIsItsReasonToStop) {
   lab_->cost().learn(1e6, 50000);  // the machine is believed to be very slow
   lab_->cost().learn(1e6, 50000);
   frame(s, kRun);
-  for (int k = 0; k < 1000 && frame(s, kOpen); ++k) {}
+  for (int k = 0; k < 1000 && frame(s, kOpen); ++k) {
+  }
   EXPECT_FALSE(shown().running);
   EXPECT_FALSE(shown().advice);
   EXPECT_NE(shown().note.find("predicted"), std::string::npos) << shown().note;

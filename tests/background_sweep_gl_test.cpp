@@ -22,7 +22,8 @@ class BackgroundSweeps : public ViewerTest {
     settle(settings_, showing({View::final}));
   }
   void run_to_end(const ui::Requests::Stability& asked) {
-    for (int k = 0; k < 20000 && frame(asked); ++k) {}
+    for (int k = 0; k < 20000 && frame(asked); ++k) {
+    }
     EXPECT_FALSE(viewer_->busy());
   }
   Settings settings_;

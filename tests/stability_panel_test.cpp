@@ -35,7 +35,8 @@ class SweepDesk : public Desk {
     while (!runner->complete() && (complete || n < runner->total() / 2)) {
       Measured m;
       const double v = n % runner->curves().size() == 0 ? 0 : std::pow(10.0, double(n % 7) - 4);
-      for (const ErrorColumn& c : error_columns()) m.errors.*c.value = n == 5 ? std::numeric_limits<double>::infinity() : v;
+      for (const ErrorColumn& c : error_columns())
+        m.errors.*c.value = n == 5 ? std::numeric_limits<double>::infinity() : v;
       runner->add(m);
       ++n;
     }
@@ -138,7 +139,7 @@ TEST(StabilityPanel, NoTextIsCutAtAnySizeOrScale) {
 }
 
 TEST(StabilityPanel, EveryKeyIsSeenAndChangesNoSetting) {
-  const std::pair<const char*, bool> keys[] = {{"s", false}, {"s", true}, {"Down", false}, {"Up", false},
+  const std::pair<const char*, bool> keys[] = {{"s", false}, {"s", true},  {"Down", false}, {"Up", false},
                                                {"1", false}, {"2", false}, {"l", false}};
   for (const auto& [key, shift] : keys) {
     SweepDesk desk;

@@ -123,23 +123,34 @@ void draw_head(Frame& f, Painter& p, Box& room) {
   keyed("[ ]", kText, fmt::format("at most {:g} code{} of 255 off, as displayed", s.codes, s.codes > 1 ? "s" : ""));
   keyed("B", kText, s.every_pixel ? "in every pixel" : "in 99.9 % of the pixels");
   keyed("X", kText, fmt::format("cheapest by {}", cost_words(kAdviceCosts[s.cost].cost)));
-  const std::string scope = fmt::format(
-      "Scene, camera and lights stay as they are; judged from this camera and {} seeded ones at {}x{}.",
-      kAdviceCameras - 1, in.size.x, in.size.y);
-  p.text_in(below(2 * line_height(f.type.small)), f.type.small, kDim, scope, true);
+  const std::string scope =
+      fmt::format("Scene, camera and lights stay as they are; judged from this camera and {} seeded ones at {}x{}.",
+                  kAdviceCameras - 1, in.size.x, in.size.y);
+  const auto wrapped = [&](ImU32 colour, const std::string& text) {
+    const float height = std::min(text_size(text, f.type.small, room.width()).y, 2.6f * line_height(f.type.small));
+    p.text_in(below(height), f.type.small, colour, text, true);
+  };
+  wrapped(kDim, scope);
   if (in.running) {
     keyed("R", kAccent, fmt::format("looking: {} tried; R stops", in.tried));
-    p.text_in(below(2 * line_height(f.type.small)), f.type.small, kText, "now: " + in.progress, true);
+    wrapped(kText, "now: " + in.progress);
   } else {
     keyed("R", kAccent, in.advice ? "looks again" : "looks for it; a minute or less, and the window goes on");
   }
-  if (!in.note.empty()) p.text_in(below(2 * line_height(f.type.small)), f.type.small, kAccent, in.note, true);
+  if (!in.note.empty()) wrapped(kAccent, in.note);
 }
 
 bool is_applied(const Frame& f, const AdvisedSetup& a) {
   Settings s = f.settings;
   apply_method(s, a.settings);
   return s == f.settings;
+}
+
+// What the box of a set-up would like to have.
+float setup_height(const Frame& f, const AdvisedSetup& a, float width) {
+  const float inset = std::round(f.type.small * 0.6f), room = width - 2 * inset;
+  return 2 * inset + line_height(f.type.body) + 2 + text_size(setup_words(a.settings), f.type.body, room).y +
+         text_size(proof_words(a.proof), f.type.small, room).y + f.type.small;
 }
 
 void draw_setup(Frame& f, Painter& p, const Box& box, const char* title, const char* key, const AdvisedSetup& a) {
@@ -154,7 +165,7 @@ void draw_setup(Frame& f, Painter& p, const Box& box, const char* title, const c
   p.text_in({room.min, {room.max.x - right - f.type.body, room.min.y + line}}, f.type.body, kAccent, head);
   p.text({room.max.x - right, room.min.y + 1}, f.type.small, applied ? kText : kDim, how);
   draw_paragraphs(p, {{room.min.x, room.min.y + line + 2}, room.max},
-                  {{setup_words(a.settings), kText, f.type.small}, {proof_words(a.proof), kDim, f.type.small}},
+                  {{setup_words(a.settings), kText, f.type.body}, {proof_words(a.proof), kDim, f.type.small}},
                   f.type.small * 0.3f);
 }
 
@@ -187,13 +198,15 @@ void draw_answer(Frame& f, Painter& p, Box room) {
                      in.cost != kAdviceCosts[f.state.advisor.cost].cost;
   p.text_in({room.min, {room.max.x, room.min.y + line}}, f.type.small, other ? kAccent : kDim, asked);
   room.min.y += line + gap;
-  const auto box = [&](float share) {
-    const Box b{room.min, {room.max.x, room.min.y + std::min(share * room.height(), 9 * line)}};
+  const auto box = [&](float share, const AdvisedSetup& a) {
+    const float height = std::min(share * room.height(), setup_height(f, a, room.width()));
+    const Box b{room.min, {room.max.x, room.min.y + height}};
     room.min.y = b.max.y + gap;
     return b;
   };
-  if (in.advice->best) draw_setup(f, p, box(0.32f), "Cheapest", "Enter", *in.advice->best);
-  if (in.advice->runner_up) draw_setup(f, p, box(0.46f), "Runner-up", "Shift+Enter", *in.advice->runner_up);
+  if (in.advice->best) draw_setup(f, p, box(0.33f, *in.advice->best), "Cheapest", "Enter", *in.advice->best);
+  if (in.advice->runner_up)
+    draw_setup(f, p, box(0.48f, *in.advice->runner_up), "Runner-up", "Shift+Enter", *in.advice->runner_up);
   if (!in.advice->left_out.empty()) draw_left_out(f, p, room, in.advice->left_out);
 }
 

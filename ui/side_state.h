@@ -8,10 +8,10 @@ namespace gbl::ui {
 
 struct StabilityState {
   bool open = false;
-  size_t sweep = 0;             // of the table
-  size_t curve = 0;             // selected
-  std::optional<bool> log_y;    // empty: as the values ask for
-  std::set<size_t> hidden;      // curves
+  size_t sweep = 0;                // of the table
+  size_t curve = 0;                // selected
+  std::optional<bool> log_y;       // empty: as the values ask for
+  std::set<size_t> hidden;         // curves
   bool run = false, stop = false;  // asked for in this frame
 };
 

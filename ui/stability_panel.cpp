@@ -94,7 +94,8 @@ std::vector<LegendRow> legend_rows(const Frame& f) {
 // A click chooses a curve, as the arrow keys do; the chosen one is framed.
 void use_legend(Frame& f, Painter& p, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
-    if (i == f.state.stability.curve) p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
+    if (i == f.state.stability.curve)
+      p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
     ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("curve", places[i].size())) f.state.stability.curve = i;
@@ -169,7 +170,8 @@ void draw_stability(Frame& f) {
   draw_head(f, p, at);
   p.text_in(at.help, f.type.small, kDim, sweep.help, true);
   if (has_families(sweep)) {
-    p.text_in(at.y_title, f.type.body, kText, "configurations with any pixel over 1/255, and the light lost in all");
+    p.text_in(at.y_title, f.type.body, kText,
+              "random configurations wrong (any pixel over 1/255), and of their lit pixels the share lost");
     draw_sweep_families(f, p, {at.plot.min, at.x_title.max});
   } else {
     p.text_in(at.y_title, f.type.body, kText, fmt::format("↑ {}: {}", titled(metric.id, metric.unit), metric.help));

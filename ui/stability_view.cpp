@@ -10,7 +10,8 @@
 namespace gbl::ui {
 namespace {
 
-constexpr double kDust = 1e-13;  // of the largest value: float arithmetic's own, drawn as 0 is
+constexpr ImU32 kWrongBar = IM_COL32(122, 56, 62, 255);  // kText on it has a contrast of 7:1
+constexpr double kDust = 1e-13;                          // of the largest value: float arithmetic's own, drawn as 0 is
 
 double drawn_value(double value, const SweepAxes& axes) {
   if (!std::isfinite(value)) return axes.y.high;
@@ -112,8 +113,11 @@ void draw_sweep_families(Frame& f, Painter& p, const Box& box) {
   const auto words_in = [&](const Box& b, ImU32 colour, const std::string& text) {
     p.text_in({{b.min.x + px * 0.3f, middle(b)}, {b.max.x, b.max.y + px}}, px, colour, text);
   };
-  for (int family = 0; family < kFamilies; ++family)
-    words_in(cell(0, family), kDim, fmt::format("family {}: wrong, light lost", "ABC"[family]));
+  for (int family = 0; family < kFamilies; ++family) {
+    size_t most = 0;  // the variants of a configuration come one after the other
+    for (const CurveResult& c : result->curves) most = std::max(most, family_shares(c, family).configurations);
+    words_in(cell(0, family), kDim, fmt::format("family {}: of {}", "ABC"[family], most));
+  }
   for (size_t i = 0; i < result->curves.size(); ++i) {
     const CurveResult& c = result->curves[i];
     const Box first = cell(i + 1, 0);
@@ -129,8 +133,8 @@ void draw_sweep_families(Frame& f, Painter& p, const Box& box) {
       p.fill(b, kSurface, 2);
       if (s.configurations == 0) continue;
       const auto share = static_cast<float>(s.wrong);
-      p.fill({b.min, {b.min.x + share * b.width(), b.max.y}}, IM_COL32(122, 56, 62, 255), 2);
-      words_in(b, kText, fmt::format("{:.0f} % of {}, {:.1f} %", 100 * s.wrong, s.configurations, 100 * s.lost));
+      if (share > 0) p.fill({b.min, {b.min.x + share * b.width(), b.max.y}}, kWrongBar, 2);
+      words_in(b, kText, fmt::format("{:.0f} % wrong, {:.1f} % lost", 100 * s.wrong, 100 * s.lost));
     }
   }
 }

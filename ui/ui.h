@@ -95,9 +95,9 @@ struct Input {
   const ChartInput* chart = nullptr;         // these three null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
-  std::string message;                       // an error or a notice to show until the next key; empty = none
-  std::string banner;                        // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
-  double seconds = 0;                        // a clock for motion, not part of any picture
+  std::string message;            // an error or a notice to show until the next key; empty = none
+  std::string banner;             // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  double seconds = 0;             // a clock for motion, not part of any picture
   std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
 
@@ -123,8 +123,8 @@ struct Requests {
     bool run = false, stop = false;  // that study; any that runs
   } chart;
   struct Stability {
-    bool open = false;   // closed: nothing of it runs
-    std::string sweep;   // that is shown
+    bool open = false;  // closed: nothing of it runs
+    std::string sweep;  // that is shown
     bool run = false, stop = false;
   } stability;
   struct Advisor {
