@@ -135,7 +135,7 @@ void draw_head(Frame& f, Painter& p, Box& room) {
     keyed("R", kAccent, fmt::format("looking: {} tried; R stops", in.tried));
     wrapped(kText, "now: " + in.progress);
   } else {
-    keyed("R", kAccent, in.advice ? "looks again" : "looks for it; a minute or less, and the window goes on");
+    keyed("R", kAccent, in.advice ? "looks again" : "looks for it: a minute or two, and the window goes on");
   }
   if (!in.note.empty()) wrapped(kAccent, in.note);
 }

@@ -44,6 +44,12 @@ std::string titled(const std::string& words, const char* unit) {
   return *unit ? fmt::format("{} ({})", words, unit) : words;
 }
 
+// Columns' help stands beside other columns elsewhere; alone it must say of what.
+std::string metric_title(const SweepMetric& m) {
+  const bool largest = std::string_view(m.help) == "largest";
+  return fmt::format("↑ {}: {}{}", titled(m.id, m.unit), m.help, largest ? " of all pixels" : "");
+}
+
 std::string progress_text(const StabilityInput& in) {
   if (in.total == 0) return "";
   std::string text = fmt::format("{}/{} points", in.done, in.total);
@@ -174,7 +180,7 @@ void draw_stability(Frame& f) {
               "random configurations wrong (any pixel over 1/255), and of their lit pixels the share lost");
     draw_sweep_families(f, p, {at.plot.min, at.x_title.max});
   } else {
-    p.text_in(at.y_title, f.type.body, kText, fmt::format("↑ {}: {}", titled(metric.id, metric.unit), metric.help));
+    p.text_in(at.y_title, f.type.body, kText, metric_title(metric));
     const SweepAxes axes = sweep_axes(f);
     Plot plot(p, at.plot, axes.x, axes.y, f.type.small);
     draw_sweep_curves(f, p, plot);
