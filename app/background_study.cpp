@@ -1,9 +1,8 @@
 #include "app/background_study.h"
 
-#include <chrono>
 #include <fmt/format.h>
 
-#include "app/lab.h"
+#include "app/background.h"
 #include "renderer/error.h"
 #include "renderer/study/study.h"
 #include "renderer/study/study_here.h"
@@ -11,34 +10,15 @@
 namespace gbl {
 namespace {
 
-constexpr size_t kKeptTruths = 6;      // of 14 MB each: a study may go through light counts in its inner loop
-constexpr size_t kMostRuns = 16;       // studies with their truths; the oldest goes
-constexpr size_t kMostTried = 64;      // set-ups tried by hand; the oldest goes
-constexpr double kMostFrameMs = 1500;  // a frame that would hold the window up for longer is not drawn
-constexpr int kTimedFrames = 9;        // an odd number has a median of its own; more would double the wait
+constexpr size_t kKeptTruths = 6;  // of 14 MB each: a study may go through light counts in its inner loop
+constexpr size_t kMostRuns = 16;   // studies with their truths; the oldest goes
+constexpr size_t kMostTried = 64;  // set-ups tried by hand; the oldest goes
+constexpr int kTimedFrames = 9;    // an odd number has a median of its own; more would double the wait
 constexpr const char* kByHand = "by-hand";
 
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-// What rows are compared by: all at one size, whatever is looked at.
-Settings as_measured(Settings s) {
-  s.size = BackgroundStudy::kSize;
-  s.view = {};
-  return s;
-}
-
-// The reference's GPU part is a frame by the plainest method: that one counts, too.
-void require_quick(const Settings& s, Lab& lab) {
-  const std::vector<Light> lights = lights_of(s, lab.scene());
-  const double ms =
-      std::max(lab.cost().predict_ms(s, lights), lab.cost().predict_ms(witness_of(s, lab.device().features), lights));
-  if (ms > kMostFrameMs)
-    throw Error(ExitCode::unfinished, "chart",
-                fmt::format("predicted {:.1f} s a frame: the window would stand still", ms / 1000),
-                "measure it with `gbufferlab study`");
-}
-
 }  // namespace
+
+BackgroundStudy::BackgroundStudy(Lab& lab) : lab_(lab) { shown_.size = kBackgroundSize; }
 
 bool BackgroundStudy::Run::fits(const Settings& s) const { return same_truth_but(truth, s, varied); }
 
@@ -79,7 +59,7 @@ void BackgroundStudy::list_studies() {
 BackgroundStudy::Run BackgroundStudy::make_run(const std::string& study, const Settings& now) const {
   const StudySpec spec = load_study(study);
   const auto scene = [this](const std::string&) { return scene_->shared_scene(); };
-  return {study, now, varied_truth(spec), expand(study_here(spec, now, kSize), scene, lab_.limits()), {}};
+  return {study, now, varied_truth(spec), expand(study_here(spec, now, kBackgroundSize), scene, lab_.limits()), {}};
 }
 
 // Goes on where it was stopped; one that is complete is measured anew.
@@ -145,7 +125,7 @@ bool BackgroundStudy::begin_next(const Settings& now) {
   measured_ = wanted_ ? StudyCase{"tried by hand", as_measured(now), {}} : running_->plan.cases[running_->rows.size()];
   begun_s_ = now_s();
   require_valid(measured_.settings, lab_.limits());
-  require_quick(measured_.settings, lab_);
+  require_quick(measured_.settings, lab_, "chart", "measure it with `gbufferlab study`");
   if (!bench_) bench_.emplace(lab_.renderer(), lab_.cost(), lab_.machine(), kKeptTruths);
   bench_->start(measured_.settings, scene_, {.frames = kTimedFrames});
   return true;

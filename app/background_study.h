@@ -14,9 +14,7 @@ class Lab;
 
 class BackgroundStudy {
  public:
-  static constexpr glm::ivec2 kSize{320, 180};  // a row then takes about a second on a software driver
-
-  explicit BackgroundStudy(Lab& lab) : lab_(lab) { shown_.size = kSize; }
+  explicit BackgroundStudy(Lab&);
 
   // Once a frame. `quiet`: nobody touches the window and nothing moves in it; only then is anything measured.
   void update(const Settings& now, const ui::Requests::Chart&, bool quiet);

@@ -2,19 +2,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "app/bench.h"
+#include "app/advice_bench.h"
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
 #include "renderer/image.h"
 #include "renderer/settings_json.h"
-#include "renderer/study/advisor.h"
-#include "renderer/study/seeded_camera.h"
 
 namespace gbl {
 namespace {
-
-constexpr const char* kUnits[] = {"ms", "bytes per pixel", "pairs"};
 
 ErrorBudget budget_of(const Arguments& a) {
   if (a.budget && a.budget_max)
@@ -27,10 +23,12 @@ ErrorBudget budget_of(const Arguments& a) {
 }
 
 AdviceCost cost_of(const std::string& id) {
-  constexpr std::string_view kIds[] = {"time", "bytes", "pairs"};
-  for (int i = 0; i < 3; ++i)
-    if (id == kIds[i]) return static_cast<AdviceCost>(i);
-  throw Error(ExitCode::bad_input, "--cost", fmt::format("unknown cost '{}'", id), suggest(id, kIds, 3));
+  std::vector<std::string_view> known;
+  for (const AdviceCostRow& r : kAdviceCosts) {
+    if (id == r.id) return r.cost;
+    known.emplace_back(r.id);
+  }
+  throw Error(ExitCode::bad_input, "--cost", fmt::format("unknown cost '{}'", id), suggest(id, known));
 }
 
 void show_progress(const std::string& what) {
@@ -64,8 +62,8 @@ Json json_of(const std::vector<Tried>& all) {
 
 void print_setup(const char* title, const std::optional<AdvisedSetup>& s, AdviceCost cost) {
   if (!s) return;
-  fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, kUnits[static_cast<int>(cost)],
-             s->bytes_per_pixel, setup_in_words(s->settings));
+  fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, row(cost).unit, s->bytes_per_pixel,
+             setup_in_words(s->settings));
   if (!s->proof.what.empty())
     fmt::print("  worst of {} cameras: {} of {} pixels over, the worst by {:.2f} codes at {}, {}; {} excused\n",
                kAdviceCameras, s->proof.worst.over, s->proof.worst.compared, 255 * s->proof.worst.worst,
@@ -92,21 +90,16 @@ ExitCode run_advise(const Arguments& a) {
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.open(s.scene);
-  Bench bench(lab.renderer(), lab.cost(), lab.machine(), kAdviceCameras);
-  const auto measure_frame = [&](Settings setup, int camera, BenchWishes wishes) {
-    setup.camera = seeded_camera(lab.scene(), setup.camera, camera);
-    require_valid(setup, lab.limits());
-    bench.start(setup, lab.gpu_scene(), wishes);
-    bench.step(true);
-  };
+  AdviceBench bench(lab, budget, cost);
   const JudgeFn judge = [&](const Settings& setup, int camera) {
-    measure_frame(setup, camera, {.times = false, .columns = false});
-    return bench.bound(budget.display_difference);
+    bench.start_bound(setup, camera);
+    bench.step(true);
+    return bench.bound();
   };
   const CostFn measure = [&](const Settings& setup) {
-    measure_frame(setup, 0, {.errors = false, .times = cost == AdviceCost::time});
-    const FrameReport& r = bench.report();
-    return cost == AdviceCost::time ? bench.total_ms() : double(r.pairs->tested + r.pairs->shaded);
+    bench.start_cost(setup);
+    bench.step(true);
+    return bench.cost();
   };
   const std::atomic<bool> never{false};
   const Advice advice = advise(s, lab.scene(), budget, cost, lab.limits(), judge, measure, show_progress, never);
@@ -117,7 +110,7 @@ ExitCode run_advise(const Arguments& a) {
                             {"values", json_of(advice.values)},
                             {"rejected", json_of(advice.rejected)},
                             {"left_out", advice.left_out},
-                            {"cost_unit", kUnits[static_cast<int>(cost)]}}
+                            {"cost_unit", row(cost).unit}}
                            .dump(2));
   else
     print_text(advice, cost);

@@ -56,7 +56,9 @@ ExitCode run_stability(const Arguments& a) {
   const std::filesystem::path folder = a.output.value_or("stability");
   make_folder(folder);  // before the work: a folder that cannot be written is known at once
   const HeadlessContext context;
-  StabilityBench bench(without_of(a));
+  const gl::Device device = gl::probe_device(without_of(a));
+  Renderer renderer;
+  StabilityBench bench(renderer, device);
   const std::atomic<bool> never{false};
   std::vector<SweepResult> results;
   for (const Sweep* s : chosen) {

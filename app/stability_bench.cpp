@@ -13,8 +13,8 @@ StoreRounding rounding_of(gl::Rounding r) {
 
 }  // namespace
 
-StabilityBench::StabilityBench(FeatureSet without)
-    : device_(gl::probe_device(without)), truths_(kTruthsOfAPoint, all_processors()) {
+StabilityBench::StabilityBench(Renderer& renderer, const gl::Device& device)
+    : device_(device), renderer_(renderer), truths_(kTruthsOfAPoint, all_processors()) {
   const gl::RoundingProbe probe = gl::probe_rounding();
   rounding_ = {rounding_of(probe.half_store), rounding_of(probe.half_blend), rounding_of(probe.r11_store)};
 }
@@ -24,15 +24,19 @@ const GpuScene& StabilityBench::uploaded(const std::shared_ptr<const Scene>& sce
   return *scene_;
 }
 
-Measured StabilityBench::measure(const SweepSetup& setup) {
+std::optional<Measured> StabilityBench::measure(const SweepSetup& setup, bool wait) {
   const Settings& s = setup.settings;
   require_valid(s, limits());
   const GpuScene& scene = uploaded(setup.scene);
-  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, scene, s, true);
+  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, scene, s, wait);
+  if (!truth) return {};
   FrameReport report = renderer_.render(s, scene, targets_);
   const Drawn drawn = read_drawn(renderer_, s, scene, targets_, true);
   renderer_.collect(targets_, report, true);
-  return {gbl::measure(truth->truth, drawn, {s.exposure, s.colour}), {truth, &truth->truth}};
+  return Measured{gbl::measure(truth->truth, drawn, {s.exposure, s.colour}), {truth, &truth->truth}};
 }
+
+Measured StabilityBench::measure(const SweepSetup& setup) { return *measure(setup, true); }
+std::optional<Measured> StabilityBench::try_measure(const SweepSetup& setup) { return measure(setup, false); }
 
 }  // namespace gbl

@@ -125,6 +125,8 @@ void Viewer::reload() {
   try {
     lab_.reload_shaders();
     study_.forget();
+    sweep_.forget();
+    advice_.forget();
     message_ = "shaders read again";
     attempted_ = false;
   } catch (const Error& e) {
@@ -160,14 +162,19 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
 
 void Viewer::measure(const Settings& s, const ui::Requests& requests, bool quiet) {
   quiet = quiet && !drawing();
-  study_.update(s, requests.chart, quiet);
-  measuring_ = quiet && study_.busy();
+  sweep_.update(requests.stability, quiet);
+  advice_.update(s, requests.advisor, quiet);
+  // They run with their panels open alone: a study that was left running waits for what is looked at.
+  study_.update(s, requests.chart, quiet && !sweep_.busy() && !advice_.busy());
+  measuring_ = quiet && measures_more();
 }
 
 ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
   in.chart = &study_.chart();
+  in.stability = &sweep_.input();
+  in.advisor = &advice_.input();
   in.truth_progress = lab_.truth_progress();
   in.message = message_;
   in.banner = loader_.loading() ? fmt::format("reading {}: {}", loader_.name(), loader_.progress()) : banner_;

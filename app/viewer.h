@@ -3,7 +3,9 @@
 // apart from GLFW so that it can be tested on a headless context.
 #include <string>
 
+#include "app/background_advice.h"
 #include "app/background_study.h"
+#include "app/background_sweep.h"
 #include "app/lab.h"
 #include "app/scene_loader.h"
 
@@ -11,12 +13,12 @@ namespace gbl {
 
 class Viewer {
  public:
-  explicit Viewer(Lab& lab) : lab_(lab), study_(lab) {}
+  explicit Viewer(Lab& lab) : lab_(lab), study_(lab), sweep_(lab), advice_(lab) {}
 
   // Draws what the requests ask for and what has changed, nothing else. Never throws for a bad setting or shader:
   // the message says what is wrong and the old picture stays.
   void update(const Settings&, const ui::Requests&, bool moving);
-  // A piece of what the chart asks for, if the machine is free for it. `quiet`: nobody has touched the window lately.
+  // A piece of what the chart, the stability panel or the advisor asks for, if the machine is free for it. `quiet`: nobody has touched the window lately.
   void measure(const Settings&, const ui::Requests&, bool quiet);
   bool measuring() const { return measuring_; }  // it did so in this frame
   ui::Input input(double seconds) const;
@@ -35,10 +37,11 @@ class Viewer {
   void say(std::string message) { message_ = std::move(message); }
 
   // Is there more to come without any input: an answer under way, a smaller picture to be replaced, a study that runs?
-  bool busy() const { return drawing() || study_.busy(); }
+  bool busy() const { return drawing() || measures_more(); }
 
  private:
   bool drawing() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
+  bool measures_more() const { return study_.busy() || sweep_.busy() || advice_.busy(); }
   bool scene_ready(const Settings&);
   void arrive(bool wait);
   void draw_frame(const Settings&, bool moving);
@@ -49,6 +52,8 @@ class Viewer {
 
   Lab& lab_;
   BackgroundStudy study_;
+  BackgroundSweep sweep_;
+  BackgroundAdvice advice_;
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   Settings asked_;                          // of the last attempt, drawn or refused

@@ -8,7 +8,9 @@ namespace {
 class StabilityGl : public GlTest {};
 
 StabilityBench& bench() {
-  static StabilityBench b({});
+  static const gl::Device device = gl::probe_device({});
+  static Renderer renderer;
+  static StabilityBench b(renderer, device);
   return b;
 }
 

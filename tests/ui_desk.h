@@ -43,6 +43,8 @@ class Desk {
     input.seconds = seconds;
     input.held = held;
     input.chart = chart;
+    input.stability = stability;
+    input.advisor = advisor;
     input.probe = PixelProbe{
         .pixel = {123, 456}, .surface = true, .roughness = 0.5f, .normal = {0, 1, 0}, .range = 1234.5f, .lights = 5};
     ImGui::GetIO().DeltaTime = 1.0f / 60;
@@ -81,6 +83,8 @@ class Desk {
   FeatureSet features;  // nothing beyond the core path
   Requests requests;
   const ChartInput* chart = nullptr;
+  const StabilityInput* stability = nullptr;
+  const AdvisorInput* advisor = nullptr;
   double seconds = 0;
   std::vector<std::string> held;
 };

@@ -145,7 +145,7 @@ void advance_motion(Frame& f) {
   const double dt = s.last_seconds < 0 ? 0 : std::clamp(f.input.seconds - s.last_seconds, 0.0, 0.25);
   s.last_seconds = f.input.seconds;
   if (s.playing) f.settings.time_s += dt;
-  const bool typed = s.options_page || s.chart.open || s.go_to || s.edited || ImGui::GetIO().WantTextInput;
+  const bool typed = s.options_page || s.beside() || s.go_to || s.edited || ImGui::GetIO().WantTextInput;
   const Motion motion = typed ? Motion{} : motion_of(f.input.held);
   s.camera_key = motion.any();
   if (s.camera_key) {

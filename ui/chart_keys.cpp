@@ -140,7 +140,7 @@ void apply_selected(Frame& f, const KeyEvent&) {
   apply_row(f, v.point(*v.selected).row);
 }
 
-constexpr ChartKey kKeys[] = {
+constexpr PanelKey kKeys[] = {
     {"R", "run or stop the study", run_or_stop},
     {"S", "next study", step_study},
     {"← → ↑ ↓", "choose a point (Shift: of the front)", select_next},
@@ -157,7 +157,7 @@ constexpr ChartKey kKeys[] = {
 };
 
 // What the hint line prints and what is pressed.
-bool answers(const ChartKey& row, const KeyEvent& e) {
+bool answers(const PanelKey& row, const KeyEvent& e) {
   const std::string_view printed = row.key;
   if (row.run == select_next) return e.key == "Left" || e.key == "Right" || e.key == "Up" || e.key == "Down";
   if (row.run == switch_family) return e.key.size() == 1 && e.key[0] >= '1' && e.key[0] <= '8';
@@ -168,11 +168,11 @@ bool answers(const ChartKey& row, const KeyEvent& e) {
 
 }  // namespace
 
-std::span<const ChartKey> chart_keys() { return kKeys; }
+std::span<const PanelKey> chart_keys() { return kKeys; }
 
 bool press_in_chart(Frame& f, const KeyEvent& e) {
   if (e.ctrl) return false;
-  for (const ChartKey& row : kKeys) {
+  for (const PanelKey& row : kKeys) {
     if (!answers(row, e)) continue;
     KeyEvent pressed = e;
     if (row.run == zoom) pressed.key = e.key == "-" || e.key == "_" ? "-" : "+";
@@ -182,6 +182,6 @@ bool press_in_chart(Frame& f, const KeyEvent& e) {
   return false;
 }
 
-void toggle_chart(Frame& f, const KeyEvent&) { f.state.chart.open = !f.state.chart.open; }
+void toggle_chart(Frame& f, const KeyEvent&) { toggle_side(f.state, f.state.chart.open); }
 
 }  // namespace gbl::ui

@@ -51,45 +51,6 @@ Places lay_out(const Box& room, const Type& t, float family_width, const std::ve
   return p;
 }
 
-// ---- lines with keys in them ---------------------------------------------------------------------------------
-// A cap and words beside it, in one line.
-void draw_keyed(Painter& p, const Box& box, float px, std::string_view key, ImU32 colour, std::string_view words) {
-  const float left = box.min.x + p.key_cap(box.min, px, key) + px * 0.5f;
-  p.text_in({{left, box.min.y + above_text(px)}, {box.max.x, box.max.y + px}}, px, colour, words);
-}
-
-struct Hint {
-  Box box;
-  const ChartKey* row;
-};
-
-// The keys with their words, line after line, as large as they fit.
-std::vector<Hint> flow_of_hints(const Box& box, float px) {
-  std::vector<Hint> hints;
-  ImVec2 at = box.min;
-  for (const ChartKey& k : chart_keys()) {
-    const float width = key_cap_width(k.key, px) + px * 0.4f + text_size(k.words, px).x;
-    if (at.x > box.min.x && at.x + width > box.max.x) at = {box.min.x, at.y + std::round(line_height(px) * 1.12f)};
-    hints.push_back({{at, {at.x + width, at.y + line_height(px)}}, &k});
-    at.x += width + px;
-  }
-  return hints;
-}
-
-void draw_hints(Frame& f, Painter& p, const Box& box) {
-  float px = f.type.small;
-  std::vector<Hint> hints = flow_of_hints(box, px);
-  while (px > kSmallestPx && hints.back().box.max.y > box.max.y) hints = flow_of_hints(box, px -= 1);
-  if (hints.back().box.max.y > box.max.y + 1) f.state.cut_texts.emplace_back("the chart's keys");
-  for (const Hint& h : hints) {
-    const float cap = p.key_cap(h.box.min, px, h.row->key);
-    p.text({h.box.min.x + cap + px * 0.4f, h.box.min.y + above_text(px)}, px, kDim, h.row->words);
-    if (std::string_view(h.row->key).size() > 1) continue;  // several keys: the mouse has ways of its own
-    ImGui::SetCursorScreenPos(h.box.min);
-    if (ImGui::InvisibleButton(h.row->words, h.box.size())) h.row->run(f, {h.row->key});
-  }
-}
-
 // Without what follows a colon: that tells of the study's own scene.
 std::string label_of_study(const ChartInput& in, const std::string& id) {
   for (const ChartInput::Study& s : in.studies)
@@ -175,16 +136,11 @@ void draw_counts(Frame& f, Painter& p, const Box& box, const ChartView& v) {
 
 }  // namespace
 
-Box chart_box(const Frame& f) {
-  const Box& canvas = f.layout.canvas;
-  return {{canvas.min.x + std::round(800 * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
-}
-
 void draw_chart(Frame& f) {
   ChartState& s = f.state.chart;
   f.requests.chart = {s.open, s.study, std::exchange(s.run, false), std::exchange(s.stop, false)};
   if (!s.open) return;
-  const Box box = chart_box(f), room = box.inset(std::round(12 * f.layout.unit));
+  const Box box = side_box(f), room = box.inset(std::round(12 * f.layout.unit));
   begin_overlay("chart", box, kBackground);
   Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   ChartView v = chart_view(f);
@@ -203,7 +159,7 @@ void draw_chart(Frame& f) {
   draw_keyed(p, at.family, f.type.small, "G", kText, family);
   use_legend(f, v, draw_series_legend(p, at.legend, legend, f.type.small));
   draw_words(f, p, at.words, v);
-  draw_hints(f, p, at.keys);
+  draw_panel_keys(f, p, at.keys, chart_keys());
   end_overlay();
 }
 

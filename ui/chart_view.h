@@ -1,6 +1,6 @@
 #pragma once
 // What the chart shows in a frame: the rows as points on the chosen axes, without the families that are switched off.
-#include "ui/state.h"
+#include "ui/side_panel.h"
 
 namespace gbl::ui {
 
@@ -46,11 +46,6 @@ std::string counts_text(const ChartInput&, const ChartView&);
 void draw_chart_points(Frame&, Painter&, Plot&, const ChartView&);
 void use_chart_mouse(Frame&, const Plot&, const ChartView&);  // point, click, drag, wheel
 
-struct ChartKey {
-  const char* key;    // as printed
-  const char* words;  // for the hint line
-  void (*run)(Frame&, const KeyEvent&);
-};
-std::span<const ChartKey> chart_keys();
+std::span<const PanelKey> chart_keys();
 
 }  // namespace gbl::ui

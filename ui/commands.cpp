@@ -197,8 +197,8 @@ void close_top(Frame& f, const KeyEvent&) {
     s.options_page.reset();
   else if (s.help)
     s.help = false;
-  else if (s.chart.open)
-    s.chart.open = false;
+  else if (s.beside())
+    s.chart.open = s.stability.open = s.advisor.open = false;
   else if (s.card)
     s.card.reset();
   else if (s.held_at)

@@ -19,6 +19,8 @@ void go_to_worst(Frame&, const KeyEvent&);
 void step_lesson(Frame&, const KeyEvent&);
 void reveal_answer(Frame&, const KeyEvent&);
 void toggle_chart(Frame&, const KeyEvent&);
+void toggle_stability(Frame&, const KeyEvent&);
+void toggle_advisor(Frame&, const KeyEvent&);
 void toggle_card(Frame&, const KeyEvent&);
 void toggle_time(Frame&, const KeyEvent&);
 void toggle_help(Frame&, const KeyEvent&);
@@ -35,6 +37,8 @@ void close_top(Frame&, const KeyEvent&);
 bool press_in_chooser(Frame&, const KeyEvent&);
 bool press_in_options(Frame&, const KeyEvent&);
 bool press_in_chart(Frame&, const KeyEvent&);
+bool press_in_stability(Frame&, const KeyEvent&);
+bool press_in_advisor(Frame&, const KeyEvent&);
 void stop_typing(Frame&);
 
 }  // namespace gbl::ui

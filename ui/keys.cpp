@@ -34,8 +34,16 @@ constexpr Command kCommands[] = {
      "speed against accuracy: a study's set-ups as points, live. In it: R runs the study, S another, arrows and Enter "
      "choose and apply a point, X Y axes, L K logarithms, F front, G families, 1-8 show one, + - 0 zoom",
      toggle_chart},
+    {"F4", "stability",
+     "stability: one parameter through the place where methods break, a curve each, its statement checked. In it: S "
+     "another sweep, R runs it, Up Down choose a curve, 1-8 show one, L logarithm",
+     toggle_stability},
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
+    {"F7", "advisor",
+     "the cheapest set-up that holds an error budget. In it: [ ] and B the budget, X the cost, R looks for it, Enter "
+     "applies the best, Shift+Enter the runner-up, PgUp PgDn what is left out",
+     toggle_advisor},
     {"F12", "figure", "save what is on screen as a figure", save_figure},
     {"+ -", "ui.scale", "larger or smaller type", scale_type, true},
     {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",
@@ -141,6 +149,8 @@ void dispatch(Frame& f, const KeyEvent& e) {
   if (f.state.chooser && press_in_chooser(f, e)) return;
   if (f.state.options_page && press_in_options(f, e)) return;
   if (f.state.chart.open && press_in_chart(f, e)) return;
+  if (f.state.stability.open && press_in_stability(f, e)) return;
+  if (f.state.advisor.open && press_in_advisor(f, e)) return;
   if (press_option(f, e) || press_view(f, e)) return;
   press_command(f, e);
 }

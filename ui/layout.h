@@ -14,7 +14,7 @@ struct LayoutInput {
   View chosen = View::final;
   bool large = false;   // the chosen view alone
   bool hidden = false;  // pictures only
-  bool beside = false;  // the chart stands on the right half: the large picture stays in the left one
+  bool beside = false;  // a panel stands on the right half: the large picture stays in the left one
   float status_height = 25;
 };
 

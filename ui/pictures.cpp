@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "ui/camera_motion.h"
+#include "ui/side_panel.h"
 #include "ui/state.h"
 #include "ui/view_panel.h"
 
@@ -11,7 +12,7 @@ namespace {
 // An overlay is opaque: what is wholly below one need not be drawn at all.
 bool covered(const Frame& f, const Box& panel) {
   if (f.state.help) return true;
-  if (f.state.chart.open && chart_box(f).contains(panel)) return true;
+  if (f.state.beside() && side_box(f).contains(panel)) return true;
   if (f.state.options_page && options_box(f).contains(panel)) return true;
   return f.state.card && card_box(f).contains(panel);
 }

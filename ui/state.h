@@ -10,6 +10,7 @@
 #include "ui/captions.h"
 #include "ui/chart_state.h"
 #include "ui/layout.h"
+#include "ui/side_state.h"
 #include "ui/style.h"
 #include "ui/ui.h"
 
@@ -55,6 +56,9 @@ struct State {
   std::array<char, 32> go_to_text{};  // "x, y"
 
   ChartState chart;
+  StabilityState stability;
+  AdvisorState advisor;
+  bool beside() const { return chart.open || stability.open || advisor.open; }  // a panel stands on the right half
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;
@@ -117,6 +121,8 @@ void draw_control_column(Frame&);
 void draw_status_bar(Frame&);
 void draw_options_panel(Frame&);
 void draw_chart(Frame&);
+void draw_stability(Frame&);
+void draw_advisor(Frame&);
 void draw_card(Frame&);
 void draw_help(Frame&);
 void draw_chooser(Frame&);
@@ -125,7 +131,6 @@ void draw_notices(Frame&);
 void draw_hidden_hint(Frame&);
 Box options_box(const Frame&);
 Box card_box(const Frame&);
-Box chart_box(const Frame&);
 float status_height(const Type&);
 
 // A widget in a box: a choice's combo (unsound rows marked, unavailable ones disabled with the reason).

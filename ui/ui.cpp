@@ -4,7 +4,7 @@
 
 #include "renderer/resolve.h"
 #include "ui/keys.h"
-#include "ui/state.h"
+#include "ui/side_panel.h"
 
 namespace gbl::ui {
 namespace {
@@ -16,7 +16,7 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Type& t
           .chosen = view_by_id(settings.view.main).view,
           .large = s.large,
           .hidden = s.hidden,
-          .beside = s.chart.open,
+          .beside = s.beside(),
           .status_height = status_height(type)};
 }
 
@@ -45,7 +45,7 @@ void take_input(Frame& f, const std::vector<KeyEvent>& keys) {
   f.type = type_of(f.state);
   f.layout = make_layout(layout_input(f.state, f.settings, f.type));
   if (f.state.options_page) f.layout.strip.max.x = std::min(f.layout.strip.max.x, options_box(f).min.x);
-  if (f.state.chart.open) f.layout.strip.max.x = std::min(f.layout.strip.max.x, chart_box(f).min.x);
+  if (f.state.beside()) f.layout.strip.max.x = std::min(f.layout.strip.max.x, side_box(f).min.x);
 }
 
 }  // namespace
@@ -78,6 +78,8 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   }
   ImGui::End();
   draw_chart(f);
+  draw_stability(f);
+  draw_advisor(f);
   draw_options_panel(f);
   draw_card(f);
   draw_help(f);

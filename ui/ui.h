@@ -13,6 +13,8 @@
 #include "renderer/lights.h"
 #include "renderer/scene.h"
 #include "renderer/settings.h"
+#include "renderer/study/advisor.h"
+#include "renderer/study/stability.h"
 #include "renderer/study/study_spec.h"
 #include "renderer/truth/error_stats.h"
 #include "renderer/views.h"
@@ -58,6 +60,28 @@ struct ChartInput {
   std::string note;                    // why a study stopped or left cases out; empty = nothing to say
 };
 
+// What the stability panel shows of the sweep that it asked for.
+struct StabilityInput {
+  const SweepResult* result = nullptr;           // its points so far; null: not begun
+  std::vector<std::vector<std::string>> stated;  // of each curve, judged or not yet
+  size_t done = 0, total = 0;                    // points
+  bool running = false;
+  std::optional<double> seconds_left;  // empty: nobody knows yet
+  std::string note;                    // why it stopped, or what it leaves out; empty = nothing to say
+};
+
+// What the advisor panel shows: the answer found last, and how far the one asked for now has come.
+struct AdvisorInput {
+  std::optional<Advice> advice;  // the last complete one in this scene
+  ErrorBudget budget;            // that it was asked for
+  AdviceCost cost = AdviceCost::bytes;
+  bool running = false;
+  size_t tried = 0;      // set-ups and values so far, of the one that runs
+  std::string progress;  // what it tries
+  std::string note;      // why it stopped, or why its answer is an old one; empty = nothing to say
+  glm::ivec2 size{0};    // at which set-ups are measured
+};
+
 // What the UI reads this frame.
 struct Input {
   const Scene& scene;
@@ -68,10 +92,12 @@ struct Input {
   std::optional<PixelProbe> probe;           // of the pixel asked for
   std::optional<ErrorStats> error;           // of the error view; empty: not drawn yet
   double truth_progress = 1;                 // of the reference that is being made; 1: none is
-  const ChartInput* chart = nullptr;         // null: nothing is ever measured here
-  std::string message;                       // an error or a notice to show until the next key; empty = none
-  std::string banner;                        // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
-  double seconds = 0;                        // a clock for motion, not part of any picture
+  const ChartInput* chart = nullptr;         // these three null: nothing is ever measured here
+  const StabilityInput* stability = nullptr;
+  const AdvisorInput* advisor = nullptr;
+  std::string message;            // an error or a notice to show until the next key; empty = none
+  std::string banner;             // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  double seconds = 0;             // a clock for motion, not part of any picture
   std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
 
@@ -96,6 +122,17 @@ struct Requests {
     std::string study;               // whose rows are to be shown; empty = not chosen yet
     bool run = false, stop = false;  // that study; any that runs
   } chart;
+  struct Stability {
+    bool open = false;  // closed: nothing of it runs
+    std::string sweep;  // that is shown
+    bool run = false, stop = false;
+  } stability;
+  struct Advisor {
+    bool open = false;  // closed: nothing of it runs
+    ErrorBudget budget;
+    AdviceCost cost = AdviceCost::bytes;
+    bool run = false, stop = false;
+  } advisor;
 };
 
 // Window state that is no part of a picture's settings.

@@ -15,6 +15,15 @@
 namespace gbl {
 
 enum class AdviceCost { time, bytes, pairs };
+struct AdviceCostRow {
+  AdviceCost cost;
+  const char* id;
+  const char* unit;
+};
+inline constexpr AdviceCostRow kAdviceCosts[] = {{AdviceCost::time, "time", "ms"},
+                                                 {AdviceCost::bytes, "bytes", "bytes per pixel"},
+                                                 {AdviceCost::pairs, "pairs", "pairs"}};
+inline const AdviceCostRow& row(AdviceCost c) { return kAdviceCosts[static_cast<size_t>(c)]; }
 
 // How far displayed colours may be off, 0..1, and in how large a share of the pixels they may be off by more.
 struct ErrorBudget {

@@ -47,8 +47,7 @@ bool SweepResult::holds() const {
 
 namespace {
 
-SweepRow measured_row(const Sweep& s, const Curve& curve, double x, const SweepSetup& setup, const MeasureFn& measure) {
-  const Measured m = measure(setup);
+SweepRow row_of(const Sweep& s, const Curve& curve, double x, const SweepSetup& setup, const Measured& m) {
   const SweepMetric& metric = sweep_metric(s.metric);
   return {s.id, curve.id, x, metric.id, value_of(metric, setup, m), m.errors, m.truth ? lit_pixels(*m.truth) : 0};
 }
@@ -74,26 +73,44 @@ std::vector<CurveResult> begin(const Sweep& s, const std::vector<Curve>& curves,
 
 }  // namespace
 
+SweepRunner::SweepRunner(const Sweep& s, const SweepRun& run)
+    : values_(run.values.empty() ? s.values() : run.values), curves_(s.curves(run.rounding)) {
+  std::sort(values_.begin(), values_.end());
+  result_ = {.sweep = &s, .curves = begin(s, curves_, values_.front(), run)};
+  find_next();
+}
+
+void SweepRunner::find_next() {
+  const Sweep& s = *result_.sweep;
+  while (!complete() && !result_.curves[next_ % curves_.size()].not_drawn.empty()) ++next_;
+  if (complete()) {
+    for (size_t i = 0; i < curves_.size(); ++i)
+      if (result_.curves[i].not_drawn.empty()) judge(s, curves_[i], result_.curves[i]);
+    return;
+  }
+  const size_t value = next_ / curves_.size();
+  if (based_ != value) base_ = s.at(values_[value]), based_ = value;
+  setup_ = base_;
+  curves_[next_ % curves_.size()].apply(setup_.settings);
+}
+
+void SweepRunner::add(const Measured& m) {
+  const size_t curve = next_ % curves_.size();
+  const double x = values_[next_ / curves_.size()];
+  result_.curves[curve].rows.push_back(row_of(*result_.sweep, curves_[curve], x, setup_, m));
+  ++next_;
+  find_next();
+}
+
 SweepResult run_sweep(const Sweep& s, const SweepRun& run, const MeasureFn& measure, const SweepProgressFn& progress,
                       const std::atomic<bool>& cancel) {
-  std::vector<double> values = run.values.empty() ? s.values() : run.values;
-  std::sort(values.begin(), values.end());
-  const std::vector<Curve> curves = s.curves(run.rounding);
-  SweepResult result{.sweep = &s, .curves = begin(s, curves, values.front(), run)};
-  size_t done = 0;
-  for (const double x : values) {
-    const SweepSetup base = s.at(x);
-    for (size_t i = 0; i < curves.size(); ++i) {
-      if (cancel) return result.cancelled = true, result;
-      if (progress) progress(s, done++, values.size() * curves.size());
-      if (!result.curves[i].not_drawn.empty()) continue;
-      SweepSetup setup = base;
-      curves[i].apply(setup.settings);
-      result.curves[i].rows.push_back(measured_row(s, curves[i], x, setup, measure));
-    }
+  SweepRunner runner(s, run);
+  while (!runner.complete() && !cancel) {
+    if (progress) progress(s, runner.done(), runner.total());
+    runner.add(measure(runner.setup()));
   }
-  for (size_t i = 0; i < curves.size(); ++i)
-    if (result.curves[i].not_drawn.empty()) judge(s, curves[i], result.curves[i]);
+  SweepResult result = runner.result();
+  result.cancelled = !runner.complete();
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -112,7 +113,29 @@ struct SweepRun {
   DeviceLimits limits;
   DeviceRounding rounding;
 };
-// Value by value, so that curves share the truth of a point. Errors of `measure` are thrown on.
+// Point by point, for a window that goes on in between. Value by value, so that curves share the truth of a point.
+class SweepRunner {
+ public:
+  SweepRunner(const Sweep&, const SweepRun&);
+  bool complete() const { return next_ == total(); }
+  const SweepSetup& setup() const { return setup_; }  // of the next point
+  void add(const Measured&);                          // of that point; after the last one every curve is judged
+  const SweepResult& result() const { return result_; }
+  const std::vector<Curve>& curves() const { return curves_; }
+  size_t done() const { return next_; }  // points of curves that cannot be drawn are counted, too
+  size_t total() const { return values_.size() * curves_.size(); }
+
+ private:
+  void find_next();
+  std::vector<double> values_;
+  std::vector<Curve> curves_;
+  SweepResult result_;
+  size_t next_ = 0;  // value by value, and in it curve by curve
+  std::optional<size_t> based_;
+  SweepSetup base_, setup_;  // of the value `based_`, before and after the curve is applied
+};
+
+// The whole sweep at once. Errors of `measure` are thrown on.
 SweepResult run_sweep(const Sweep&, const SweepRun&, const MeasureFn&, const SweepProgressFn&,
                       const std::atomic<bool>& cancel);
 

@@ -1,0 +1,30 @@
+#include "app/background.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+
+#include "renderer/error.h"
+
+namespace gbl {
+
+static constexpr double kMostFrameMs = 1500;
+
+Settings as_measured(Settings s) {
+  s.size = kBackgroundSize;
+  s.view = {};
+  return s;
+}
+
+void require_quick(const Settings& s, Lab& lab, const char* where, const char* mend) {
+  const std::vector<Light> lights = lights_of(s, lab.scene());
+  const double ms =
+      std::max(lab.cost().predict_ms(s, lights), lab.cost().predict_ms(witness_of(s, lab.device().features), lights));
+  if (ms > kMostFrameMs)
+    throw Error(ExitCode::unfinished, where,
+                fmt::format("predicted {:.1f} s a frame: the window would stand still", ms / 1000), mend);
+}
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace gbl

@@ -1,0 +1,33 @@
+#pragma once
+// What the stability panel shows in a frame: a sweep's curves on its axes, and what is stated of them in order.
+#include "ui/plot.h"
+#include "ui/side_panel.h"
+
+namespace gbl::ui {
+
+const StabilityInput& stability_input(const Frame&);  // an empty one where nothing is ever measured
+const Sweep& chosen_sweep(const Frame&);
+std::span<const PanelKey> stability_keys();
+
+// The error's axis. Values that are not finite stand at its upper end.
+struct SweepAxes {
+  ChartAxis x, y;
+  bool not_finite = false;  // there are such values
+};
+SweepAxes sweep_axes(const Frame&);
+
+bool curve_on(const StabilityState&, size_t curve);
+SeriesLook curve_look(size_t curve);
+
+// One statement: of the selected curve first, then those that do not hold.
+struct StatedLine {
+  size_t curve;
+  std::string text;
+  enum class Mark { open, holds, fails, not_drawn } mark;
+};
+std::vector<StatedLine> stated_lines(const Frame&);
+
+void draw_sweep_curves(Frame&, Painter&, Plot&);
+void draw_sweep_families(Frame&, Painter&, const Box&);  // bars instead of curves
+
+}  // namespace gbl::ui
