@@ -18,7 +18,8 @@ constexpr Command kCommands[] = {
     {"stability", "one parameter through the place where methods break, each curve with a statement that is checked",
      run_stability},
     {"list",
-     "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons",
+     "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons, "
+     "studies",
      run_list},
     {"info", "the driver, its limits and its rounding; which features are there and why not", run_info},
 };

@@ -37,7 +37,7 @@ TEST(StudyHere, CasesHaveTheTruthAtHandAndTheMethodsOfTheStudy) {
     EXPECT_TRUE(same_truth_but(c.settings, now, {})) << c.id;
     EXPECT_EQ(c.settings.camera, now.camera) << "to the bit";
     EXPECT_EQ(c.settings.size, kSize);
-    EXPECT_EQ(c.settings.layout, Layout::float32);
+    EXPECT_EQ(c.settings.layout, Layout::albedo_roughness);
     EXPECT_EQ(c.settings.lights.method, LightMethod::fullscreen_radius);
     EXPECT_TRUE(c.settings.mistakes.empty()) << "a mistake is a method: the study has none";
     encodings.insert(c.settings.normal.encoding);
