@@ -5,8 +5,8 @@
 
 #include "renderer/image.h"
 #include "renderer/settings_json.h"
-#include "renderer/study/stability_chart.h"
 #include "renderer/study/gnuplot.h"
+#include "renderer/study/stability_chart.h"
 
 namespace gbl {
 namespace {
@@ -101,8 +101,7 @@ void write_stability_files(const std::filesystem::path& folder, const std::vecto
                   rounding.half_blend == StoreRounding::toward_zero ? "toward zero" : "to nearest");
   for (const SweepResult& r : results)
     for (const auto& [file, ending] : {std::pair(StabilityFile::svg, ".svg"), std::pair(StabilityFile::png, ".png")})
-      write_text_file(folder / (std::string(r.sweep->id) + ending),
-                      run_gnuplot(stability_script(r, device, file)));
+      write_text_file(folder / (std::string(r.sweep->id) + ending), run_gnuplot(stability_script(r, device, file)));
 }
 
 }  // namespace gbl
