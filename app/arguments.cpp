@@ -59,7 +59,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("sweep", a.sweeps, "sweeps by id; default: all. An unknown one is answered with the known ones");
     app.add_option("--configurations", a.configurations, "of cull-families, in each family (default: 48)")
         ->check(CLI::Range(1, 1000));
-    app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: stability)");
+    app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: out/stability)");
   }
   if (command == "list") {
     app.add_option("what", a.what, "what to list; `list` alone names the choices");

@@ -1,7 +1,6 @@
 #include "app/background.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fmt/format.h>
 
 #include "renderer/error.h"
@@ -24,7 +23,5 @@ void require_quick(const Settings& s, Lab& lab, const char* where, const char* m
     throw Error(ExitCode::unfinished, where,
                 fmt::format("predicted {:.1f} s a frame: the window would stand still", ms / 1000), mend);
 }
-
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace gbl

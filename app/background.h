@@ -1,5 +1,6 @@
 #pragma once
 // What everything that is measured beside the window's picture has in common.
+#include "app/bench.h"
 #include "app/lab.h"
 
 namespace gbl {
@@ -12,7 +13,5 @@ Settings as_measured(Settings);
 // Error(unfinished) where one frame would hold the window up for too long; `mend`: what to do instead. The reference's
 // GPU part is a frame by the plainest method: that one counts, too.
 void require_quick(const Settings&, Lab&, const char* where, const char* mend);
-
-double now_s();  // a clock that never goes back
 
 }  // namespace gbl

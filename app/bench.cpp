@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kCountOnlyMs = 60000;  // a frame predicted longer than this is counted, not timed
 
-double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 Display display_of(const Settings& s) { return {s.exposure, s.colour}; }
 
 }  // namespace
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 void Bench::start(const Settings& s, std::shared_ptr<const GpuScene> scene, BenchWishes wishes) {
   stop();

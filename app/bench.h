@@ -7,6 +7,8 @@
 
 namespace gbl {
 
+double now_s();  // a clock that never goes back
+
 struct BenchWishes {
   bool errors = true;   // against the reference
   bool times = true;    // of repeated frames

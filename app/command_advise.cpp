@@ -85,6 +85,8 @@ void print_text(const Advice& advice, AdviceCost cost) {
 ExitCode run_advise(const Arguments& a) {
   const ErrorBudget budget = budget_of(a);
   const AdviceCost cost = cost_of(a.cost);
+  const std::filesystem::path folder = a.output.value_or("out");
+  if (a.apply) make_folder(folder);  // before the work: one that cannot be written is known at once
   const auto [s, scene] = setup_of(a);
   const HeadlessContext context;
   Lab lab(without_of(a));
@@ -119,8 +121,6 @@ ExitCode run_advise(const Arguments& a) {
     return ExitCode::check_failed;
   }
   if (a.apply) {
-    const std::filesystem::path folder = a.output.value_or("out");
-    make_folder(folder);
     write_text_file(folder / "settings.json", to_json(advice.best->settings).dump(2) + "\n");
     fmt::print(stderr, "gbufferlab: written to {}; use it with --state\n", (folder / "settings.json").string());
   }

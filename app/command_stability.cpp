@@ -53,7 +53,10 @@ void print_text(const SweepResult& result) {
 
 ExitCode run_stability(const Arguments& a) {
   const std::vector<const Sweep*> chosen = chosen_sweeps(a.sweeps);
-  const std::filesystem::path folder = a.output.value_or("stability");
+  if (a.configurations && std::none_of(chosen.begin(), chosen.end(), [](const Sweep* s) { return has_families(*s); }))
+    throw Error(ExitCode::bad_input, "--configurations", "none of these sweeps has families of configurations",
+                "leave it out, or name cull-families");
+  const std::filesystem::path folder = a.output.value_or("out/stability");
   make_folder(folder);  // before the work: a folder that cannot be written is known at once
   const HeadlessContext context;
   const gl::Device device = gl::probe_device(without_of(a));

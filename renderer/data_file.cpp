@@ -3,9 +3,28 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/resources.h"
 
 namespace gbl {
+namespace {
+constexpr std::string_view kEnding = ".json";
+}
+
+std::string data_file_name(std::string_view folder, std::string_view id) {
+  return fmt::format("{}{}{}", folder, id, kEnding);
+}
+
+std::vector<std::string> data_file_ids(std::string_view folder) {
+  std::vector<std::string> ids;
+  for (std::string_view name : resource_names(folder)) {
+    if (!name.ends_with(kEnding)) continue;
+    name.remove_prefix(folder.size());
+    name.remove_suffix(kEnding.size());
+    ids.emplace_back(name);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
 
 void only_members(const Json& node, std::initializer_list<std::string_view> known, std::string_view where) {
   if (!node.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");

@@ -3,10 +3,26 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "renderer/error.h"
 #include "renderer/settings_json.h"
 
 namespace gbl {
+
+// "assets/lessons/" and "intro" -> "assets/lessons/intro.json"; and the ids of all that are there, sorted.
+std::string data_file_name(std::string_view folder, std::string_view id);
+std::vector<std::string> data_file_ids(std::string_view folder);
+
+// Tables throw with a place of their own ("--preset: …"); in a file the file comes first.
+template <class Look>
+auto look_up(std::string_view where, Look look) {
+  try {
+    return look();
+  } catch (const Error& e) {
+    throw Error(e.code(), where, e.what());
+  }
+}
 
 // A misspelt member would otherwise be silently without effect.
 void only_members(const Json& node, std::initializer_list<std::string_view> known, std::string_view where);

@@ -15,19 +15,8 @@ namespace {
 
 constexpr int kLessonVersion = 1;
 constexpr std::string_view kFolder = "assets/lessons/";
-constexpr std::string_view kEnding = ".json";
 
-std::string file_name(std::string_view id) { return fmt::format("{}{}{}", kFolder, id, kEnding); }
-
-// Tables throw with a place of their own ("--preset: …"); in a file the file is the place.
-template <class Look>
-void look_up(std::string_view where, Look look) {
-  try {
-    look();
-  } catch (const Error& e) {
-    throw Error(e.code(), where, e.what());
-  }
-}
+std::string file_name(std::string_view id) { return data_file_name(kFolder, id); }
 
 bool large_layout(const Json& node, std::string_view where) {
   const std::string layout = text_member(node, "layout", where);
@@ -53,17 +42,7 @@ LessonStep parse_step(const Json& node, std::string_view where) {
 
 }  // namespace
 
-std::vector<std::string> lesson_ids() {
-  std::vector<std::string> ids;
-  for (std::string_view name : resource_names(kFolder)) {
-    if (!name.ends_with(kEnding)) continue;
-    name.remove_prefix(kFolder.size());
-    name.remove_suffix(kEnding.size());
-    ids.emplace_back(name);
-  }
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
+std::vector<std::string> lesson_ids() { return data_file_ids(kFolder); }
 
 Lesson load_lesson(std::string_view id) {
   const std::vector<std::string> ids = lesson_ids();

@@ -1,4 +1,5 @@
-// clang-format off: the formatter takes the block for a function
+// The formatter would take the block for a function.
+// clang-format off
 // Compiled by GLSL and by C++ alike: what both must agree on. Only vec4, ivec4 and mat4, so that std140 and C++
 // lay the block out in the same way.
 #ifdef __cplusplus

@@ -111,14 +111,11 @@ void draw_head(Frame& f, Painter& p, Box& room) {
   const AdvisorState& s = f.state.advisor;
   const AdvisorInput& in = advisor_input(f);
   const float body = line_height(f.type.body), gap = std::round(f.type.small * 0.4f);
-  const auto below = [&](float height) {
-    const Box box{room.min, {room.max.x, room.min.y + height}};
-    room.min.y = box.max.y + gap;
-    return box;
-  };
-  p.text_in(below(line_height(f.type.large)), f.type.large, kAccent, "Advisor: the cheapest set-up within a budget");
+  Shelf shelf{room, gap};
+  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, kAccent,
+            "Advisor: the cheapest set-up within a budget");
   const auto keyed = [&](const char* key, ImU32 colour, const std::string& words) {
-    draw_keyed(p, below(body), f.type.body, key, colour, words);
+    draw_keyed(p, shelf.below(body), f.type.body, key, colour, words);
   };
   keyed("[ ]", kText, fmt::format("at most {:g} code{} of 255 off, as displayed", s.codes, s.codes > 1 ? "s" : ""));
   keyed("B", kText, s.every_pixel ? "in every pixel" : "in 99.9 % of the pixels");
@@ -128,7 +125,7 @@ void draw_head(Frame& f, Painter& p, Box& room) {
                   kAdviceCameras - 1, in.size.x, in.size.y);
   const auto wrapped = [&](ImU32 colour, const std::string& text) {
     const float height = std::min(text_size(text, f.type.small, room.width()).y, 2.6f * line_height(f.type.small));
-    p.text_in(below(height), f.type.small, colour, text, true);
+    p.text_in(shelf.below(height), f.type.small, colour, text, true);
   };
   wrapped(kDim, scope);
   if (in.running) {
@@ -138,6 +135,7 @@ void draw_head(Frame& f, Painter& p, Box& room) {
     keyed("R", kAccent, in.advice ? "looks again" : "looks for it: a minute or two, and the window goes on");
   }
   if (!in.note.empty()) wrapped(kAccent, in.note);
+  room = shelf.room;
 }
 
 bool is_applied(const Frame& f, const AdvisedSetup& a) {

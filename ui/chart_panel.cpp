@@ -25,29 +25,19 @@ Places lay_out(const Box& room, const Type& t, float family_width, const std::ve
   Places p;
   const Shares& share = large ? kLargeShares : kShares;
   const float body = line_height(t.body), small = line_height(t.small), gap = std::round(t.small * 0.4f);
-  float top = room.min.y, bottom = room.max.y;
   const float legend_height = series_legend_height(legend, room.width() - family_width - 2 * gap, t.small);
-  const auto below = [&](float height) {
-    const Box box{{room.min.x, top}, {room.max.x, top + height}};
-    top = box.max.y + gap;
-    return box;
-  };
-  const auto above = [&](float height) {
-    const Box box{{room.min.x, bottom - height}, {room.max.x, bottom}};
-    bottom = box.min.y - gap;
-    return box;
-  };
-  p.head = below(line_height(t.large));
-  p.study = below(body);
-  p.y_title = below(body);
-  p.keys = above(share.key_lines * small);
-  p.words = above(std::min(6.6f * body, share.words * room.height()));
-  p.legend = p.family = above(std::clamp(legend_height, small, share.legend * room.height()));
+  Shelf shelf{room, gap};
+  p.head = shelf.below(line_height(t.large));
+  p.study = shelf.below(body);
+  p.y_title = shelf.below(body);
+  p.keys = shelf.above(share.key_lines * small);
+  p.words = shelf.above(std::min(6.6f * body, share.words * room.height()));
+  p.legend = p.family = shelf.above(std::clamp(legend_height, small, share.legend * room.height()));
   p.family.max = {p.legend.min.x + family_width, p.legend.min.y + small};
   p.legend.min.x += family_width + 2 * gap;
-  p.counts = above(note ? 3 * small : small);
-  p.x_title = above(body);
-  p.plot = {{room.min.x, top}, {room.max.x, bottom}};
+  p.counts = shelf.above(note ? 3 * small : small);
+  p.x_title = shelf.above(body);
+  p.plot = shelf.room;
   return p;
 }
 

@@ -121,7 +121,8 @@ void show_error(Frame& f, const KeyEvent& e) { show_view(f, e.shift ? View::refe
 
 void go_to_worst(Frame& f, const KeyEvent&) {
   const std::optional<ErrorStats>& stats = f.input.error;
-  if (!stats || stats->worst.x < 0) return say(f, {"No error has been measured yet: U shows the error view.", ""});
+  if (f.layout.main != View::error || !stats || stats->worst.x < 0)
+    return say(f, {"The error view is not the large one: U shows it.", ""});
   f.hold(stats->worst);
   say(f, {fmt::format("The worst pixel: {}, {} is off by {:.3g} {}.", stats->worst.x, stats->worst.y, stats->max,
                       unit_of(stats->of)),

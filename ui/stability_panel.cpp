@@ -15,28 +15,18 @@ Places lay_out(const Box& room, const Type& t, const std::vector<LegendRow>& leg
                bool note) {
   Places p;
   const float body = line_height(t.body), small = line_height(t.small), gap = std::round(t.small * 0.4f);
-  float top = room.min.y, bottom = room.max.y;
-  const auto below = [&](float height) {
-    const Box box{{room.min.x, top}, {room.max.x, top + height}};
-    top = box.max.y + gap;
-    return box;
-  };
-  const auto above = [&](float height) {
-    const Box box{{room.min.x, bottom - height}, {room.max.x, bottom}};
-    bottom = box.min.y - gap;
-    return box;
-  };
-  p.head = below(line_height(t.large));
-  p.sweep = below(body);
-  p.help = below(std::min(text_size(help, t.small, room.width()).y, 0.1f * room.height()));
-  p.y_title = below(body);
-  p.keys = above(1.3f * small);
-  if (note) p.note = above(small);
-  p.stated = above(std::max(0.22f * room.height(), std::min(9 * small, 0.3f * room.height())));
+  Shelf shelf{room, gap};
+  p.head = shelf.below(line_height(t.large));
+  p.sweep = shelf.below(body);
+  p.help = shelf.below(std::min(text_size(help, t.small, room.width()).y, 0.1f * room.height()));
+  p.y_title = shelf.below(body);
+  p.keys = shelf.above(1.3f * small);
+  if (note) p.note = shelf.above(small);
+  p.stated = shelf.above(std::max(0.22f * room.height(), std::min(9 * small, 0.3f * room.height())));
   const float legend_height = series_legend_height(legend, room.width(), t.small);
-  p.legend = legend.empty() ? Box{} : above(std::clamp(legend_height, small, 0.16f * room.height()));
-  p.x_title = above(body);
-  p.plot = {{room.min.x, top}, {room.max.x, bottom}};
+  p.legend = legend.empty() ? Box{} : shelf.above(std::clamp(legend_height, small, 0.16f * room.height()));
+  p.x_title = shelf.above(body);
+  p.plot = shelf.room;
   return p;
 }
 

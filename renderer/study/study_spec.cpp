@@ -15,19 +15,8 @@ namespace {
 constexpr int kStudyVersion = 1;
 constexpr size_t kMostCases = 100'000;
 constexpr std::string_view kFolder = "assets/studies/";
-constexpr std::string_view kEnding = ".json";
 
-std::string file_name(std::string_view id) { return fmt::format("{}{}{}", kFolder, id, kEnding); }
-
-// Tables throw with the path as the place; in a file the file comes first.
-template <class Look>
-auto look_up(std::string_view where, Look look) {
-  try {
-    return look();
-  } catch (const Error& e) {
-    throw Error(e.code(), where, e.what());
-  }
-}
+std::string file_name(std::string_view id) { return data_file_name(kFolder, id); }
 
 void must_be_object(const Json& node, std::string_view where) {
   if (!node.is_object()) throw Error(ExitCode::bad_input, where, "must be an object {\"path\": ...}");
@@ -136,17 +125,6 @@ StudySpec read_spec(const Json& json, std::string_view where) {
   return spec;
 }
 
-std::vector<std::string> builtin_ids() {
-  std::vector<std::string> ids;
-  for (std::string_view name : resource_names(kFolder)) {
-    if (!name.ends_with(kEnding)) continue;
-    name.remove_prefix(kFolder.size());
-    name.remove_suffix(kEnding.size());
-    ids.emplace_back(name);
-  }
-  return ids;
-}
-
 }  // namespace
 
 StudySpec parse_study(std::string_view text, std::string_view where) {
@@ -154,12 +132,12 @@ StudySpec parse_study(std::string_view text, std::string_view where) {
 }
 
 StudySpec load_study(const std::string& name_or_file) {
-  const std::vector<std::string> ids = builtin_ids();
+  const std::vector<std::string> ids = data_file_ids(kFolder);
   if (std::find(ids.begin(), ids.end(), name_or_file) != ids.end())
     return parse_study(resource(file_name(name_or_file)), file_name(name_or_file));
   // What looks like a file is one, and its own message says so if it is not there.
   std::error_code ignored;
-  if (name_or_file.ends_with(kEnding) || std::filesystem::exists(name_or_file, ignored))
+  if (name_or_file.ends_with(".json") || std::filesystem::exists(name_or_file, ignored))
     return read_spec(read_json(name_or_file), name_or_file);
   throw Error(ExitCode::bad_input, name_or_file, "is neither a study nor a file",
               suggest(name_or_file, std::vector<std::string_view>(ids.begin(), ids.end())));
@@ -167,7 +145,7 @@ StudySpec load_study(const std::string& name_or_file) {
 
 std::vector<BuiltinStudy> builtin_studies() {
   std::vector<BuiltinStudy> list;
-  for (const std::string& id : builtin_ids()) list.push_back({id, load_study(id).label});
+  for (const std::string& id : data_file_ids(kFolder)) list.push_back({id, load_study(id).label});
   return list;
 }
 
