@@ -1,7 +1,7 @@
 #pragma once
 // What the advisor asks of a device: is the bound held from a camera, and what does a set-up cost.
 #include "app/bench.h"
-#include "renderer/study/advisor.h"
+#include "renderer/study/advice/advisor.h"
 
 namespace gbl {
 

@@ -1,6 +1,6 @@
 #include "app/advice_job.h"
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 

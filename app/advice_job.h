@@ -6,7 +6,7 @@
 #include <thread>
 #include <variant>
 
-#include "renderer/study/advisor.h"
+#include "renderer/study/advice/advisor.h"
 
 namespace gbl {
 

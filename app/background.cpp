@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 

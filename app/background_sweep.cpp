@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/background.h"
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 

@@ -6,8 +6,8 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
-#include "renderer/image.h"
-#include "renderer/settings_json.h"
+#include "renderer/options/settings_json.h"
+#include "renderer/picture/image.h"
 
 namespace gbl {
 namespace {

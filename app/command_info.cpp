@@ -6,7 +6,7 @@
 #include "app/headless.h"
 #include "renderer/gl/device.h"
 #include "renderer/gltf/scene_gltf.h"
-#include "renderer/settings_json.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {

@@ -10,10 +10,10 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/report_json.h"
-#include "renderer/options.h"
-#include "renderer/packing_svg.h"
-#include "renderer/presets.h"
-#include "renderer/settings_json.h"
+#include "renderer/frame/packing_svg.h"
+#include "renderer/options/options.h"
+#include "renderer/options/presets.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {

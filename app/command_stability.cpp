@@ -6,9 +6,9 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/stability_bench.h"
-#include "renderer/image.h"
-#include "renderer/study/stability_chart.h"
-#include "renderer/study/stability_files.h"
+#include "renderer/picture/image.h"
+#include "renderer/study/stability/stability_chart.h"
+#include "renderer/study/stability/stability_files.h"
 
 namespace gbl {
 namespace {

@@ -9,8 +9,8 @@
 #include "app/imgui_screen.h"
 #include "app/viewer.h"
 #include "app/window.h"
-#include "renderer/resources.h"
-#include "renderer/settings_json.h"
+#include "renderer/base/resources.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "renderer/error.h"
-#include "renderer/features.h"
-#include "renderer/scene.h"
-#include "renderer/settings.h"
+#include "renderer/base/error.h"
+#include "renderer/base/features.h"
+#include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

@@ -8,7 +8,7 @@
 #include <EGL/eglext.h>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 

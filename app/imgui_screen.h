@@ -3,7 +3,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 
-#include "renderer/image.h"
+#include "renderer/picture/image.h"
 #include "ui/ui.h"
 
 namespace gbl {

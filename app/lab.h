@@ -5,13 +5,13 @@
 #include <string>
 
 #include "app/truth_keeper.h"
-#include "renderer/estimate.h"
+#include "renderer/frame/estimate.h"
+#include "renderer/frame/validate.h"
 #include "renderer/gl/device.h"
-#include "renderer/image.h"
 #include "renderer/passes/frame.h"
+#include "renderer/picture/image.h"
 #include "renderer/study/study_row.h"
 #include "renderer/truth/error_stats.h"
-#include "renderer/validate.h"
 #include "ui/ui.h"
 
 namespace gbl {

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <string>
 
-#include "renderer/error.h"
-#include "renderer/scene_look.h"
+#include "renderer/base/error.h"
+#include "renderer/scenes/scene_look.h"
 
 namespace gbl {
 

@@ -3,11 +3,11 @@
 #include <sstream>
 
 #include "app/commands.h"
-#include "renderer/image.h"
-#include "renderer/presets.h"
-#include "renderer/rig.h"
-#include "renderer/scene_look.h"
-#include "renderer/settings_json.h"
+#include "renderer/light/rig.h"
+#include "renderer/options/presets.h"
+#include "renderer/options/settings_json.h"
+#include "renderer/picture/image.h"
+#include "renderer/scenes/scene_look.h"
 
 namespace gbl {
 namespace {

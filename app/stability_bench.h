@@ -4,7 +4,7 @@
 
 #include "app/truth_keeper.h"
 #include "renderer/gl/device.h"
-#include "renderer/study/stability.h"
+#include "renderer/study/stability/stability.h"
 #include "renderer/study/study_row.h"
 
 namespace gbl {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "renderer/error.h"
-#include "renderer/resources.h"
+#include "renderer/base/error.h"
+#include "renderer/base/resources.h"
 
 namespace gbl {
 namespace {

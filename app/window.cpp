@@ -5,7 +5,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 namespace {

@@ -12,14 +12,14 @@ cd "$build"
 
 # Errors that the loader throws are caught by type across files: one set of flags for all of them.
 flags="-std=c++20 -g -O1 -ffp-contract=off -I$root -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=undefined"
-sources="$root/renderer/gltf/*.cpp $root/renderer/scene.cpp
-  $root/renderer/camera.cpp $root/renderer/error.cpp $root/tests/gltf_fixture.cpp $root/tests/gltf_seeds.cpp
-  $root/tests/fuzz/gltf_fuzz.cpp $root/tests/fuzz/make_seeds.cpp"
+sources="$root/renderer/gltf/*.cpp $root/renderer/scene/*.cpp $root/renderer/base/error.cpp
+  $root/tests/gltf/gltf_fixture.cpp $root/tests/gltf/gltf_seeds.cpp
+  $root/tests/gltf/fuzz/gltf_fuzz.cpp $root/tests/gltf/fuzz/make_seeds.cpp"
 objects=
 for source in $sources; do
   object=$(basename "$source" .cpp).o
   # Headers are not tracked; they are few, and a stale object would fuzz yesterday's code.
-  if [ ! -e "$object" ] || [ -n "$(find "$source" "$root"/renderer/*.h "$root"/renderer/gltf/*.h "$root"/tests/*.h -newer "$object" | head -n 1)" ]; then
+  if [ ! -e "$object" ] || [ -n "$(find "$source" "$root"/renderer/base/*.h "$root"/renderer/scene/*.h "$root"/renderer/gltf/*.h "$root"/tests/gltf/*.h -newer "$object" | head -n 1)" ]; then
     # shellcheck disable=SC2086
     clang++ $flags -c "$source" -o "$object"
   fi
@@ -32,4 +32,4 @@ clang++ -fsanitize=fuzzer,address,undefined gltf_fuzz.o $objects -o gltf_fuzz -l
 
 ./make_seeds "$build/corpus"
 ./gltf_fuzz -max_total_time="$seconds" -max_len=16384 -timeout=10 -rss_limit_mb=3000 -print_final_stats=1 \
-  -dict="$root/tests/fuzz/gltf.dict" -artifact_prefix="$build/crashes/" "$build/corpus"
+  -dict="$root/tests/gltf/fuzz/gltf.dict" -artifact_prefix="$build/crashes/" "$build/corpus"

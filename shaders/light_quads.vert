@@ -1,4 +1,4 @@
-// Two triangles per light: the bounds of its sphere on screen, which the CPU has found (renderer/light_bounds.h).
+// Two triangles per light: the bounds of its sphere on screen, which the CPU has found (renderer/light/light_bounds.h).
 #include "lights.glsl"
 #include "varyings.glsl"
 

@@ -47,7 +47,7 @@ bool endless(Light light) {
 #if LIGHT_KINDS
   if (light.kind == LIGHT_DIRECTIONAL) return true;
 #endif
-  return light.range >= 1e30;  // kEndless of renderer/scene.h
+  return light.range >= 1e30;  // kEndless of renderer/scene/scene.h
 }
 
 // Does the light reach this point at all? Regardless of the surface's side and the light's colour.

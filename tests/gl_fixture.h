@@ -7,8 +7,8 @@
 
 #include "app/headless.h"
 #include "renderer/gl/device.h"
+#include "renderer/options/presets.h"
 #include "renderer/passes/frame.h"
-#include "renderer/presets.h"
 #include "renderer/scenes/builtin_scenes.h"
 #include "renderer/scenes/mesh_builder.h"
 #include "tests/picture.h"

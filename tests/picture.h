@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/image.h"
+#include "renderer/picture/image.h"
 
 namespace gbl::test {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-#include "renderer/camera.h"
-#include "renderer/random.h"
+#include "renderer/base/random.h"
+#include "renderer/scene/camera.h"
 
 namespace gbl {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <unistd.h>
 
-#include "renderer/image.h"
-#include "renderer/resources.h"
+#include "renderer/base/resources.h"
+#include "renderer/picture/image.h"
 
 namespace gbl::test {
 

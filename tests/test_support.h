@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene.h"
-#include "renderer/settings.h"
+#include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl::ui {
 

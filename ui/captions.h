@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/options.h"
+#include "renderer/options/options.h"
 
 namespace gbl::ui {
 

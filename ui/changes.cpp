@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
-#include "renderer/presets.h"
-#include "renderer/validate.h"
+#include "renderer/base/error.h"
+#include "renderer/frame/validate.h"
+#include "renderer/options/presets.h"
 #include "ui/camera_motion.h"
 #include "ui/state.h"
 

@@ -175,7 +175,7 @@ bool press_in_chart(Frame& f, const KeyEvent& e) {
   for (const PanelKey& row : kKeys) {
     if (!answers(row, e)) continue;
     KeyEvent pressed = e;
-    if (row.run == zoom) pressed.key = e.key == "-" || e.key == "_" ? "-" : "+";
+    if (row.run == zoom) pressed.key = e.key == "-" || e.key == "_" ? '-' : '+';
     if (!e.repeat || row.run == select_next || row.run == zoom) row.run(f, pressed);
     return true;
   }

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "ui/chart_view.h"
 
 namespace gbl::ui {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/presets.h"
-#include "renderer/validate.h"
+#include "renderer/frame/validate.h"
+#include "renderer/options/presets.h"
 #include "ui/camera_motion.h"
 #include "ui/state.h"
 

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <fmt/format.h>
 
-#include "renderer/options.h"
+#include "renderer/options/options.h"
 #include "ui/commands.h"
 #include "ui/state.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "renderer/views.h"
+#include "renderer/inspect/views.h"
 #include "ui/text.h"
 
 namespace gbl::ui {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "ui/commands.h"
 #include "ui/state.h"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/validate.h"
+#include "renderer/frame/validate.h"
 #include "ui/state.h"
 
 namespace gbl::ui {

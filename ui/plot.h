@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/study/chart.h"
+#include "renderer/study/charts/chart.h"
 #include "ui/text.h"
 
 namespace gbl::ui {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/study/stability_chart.h"
+#include "renderer/study/stability/stability_chart.h"
 
 namespace gbl::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/options.h"
+#include "renderer/options/options.h"
 #include "ui/captions.h"
 #include "ui/chart_state.h"
 #include "ui/layout.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/presets.h"
+#include "renderer/options/presets.h"
 #include "ui/state.h"
 
 namespace gbl::ui {

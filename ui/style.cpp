@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "renderer/resources.h"
+#include "renderer/base/resources.h"
 
 namespace gbl::ui {
 namespace {

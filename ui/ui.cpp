@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/resolve.h"
+#include "renderer/frame/resolve.h"
 #include "ui/keys.h"
 #include "ui/side_panel.h"
 

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame_report.h"
-#include "renderer/lessons.h"
-#include "renderer/lights.h"
-#include "renderer/scene.h"
-#include "renderer/settings.h"
-#include "renderer/study/advisor.h"
-#include "renderer/study/stability.h"
+#include "renderer/frame/frame_report.h"
+#include "renderer/inspect/views.h"
+#include "renderer/lessons/lessons.h"
+#include "renderer/light/lights.h"
+#include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
+#include "renderer/study/advice/advisor.h"
+#include "renderer/study/stability/stability.h"
 #include "renderer/study/study_spec.h"
 #include "renderer/truth/error_stats.h"
-#include "renderer/views.h"
 
 namespace gbl::ui {
 

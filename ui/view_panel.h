@@ -3,7 +3,7 @@
 // picture. The window and the contact sheet draw the same panels.
 #include <string_view>
 
-#include "renderer/views.h"
+#include "renderer/inspect/views.h"
 #include "ui/text.h"
 #include "ui/ui.h"
 

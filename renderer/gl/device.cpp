@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gl/pass_state.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/texture.h"

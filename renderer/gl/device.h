@@ -2,7 +2,7 @@
 // What this GL context is and can do, asked once at start-up.
 #include <string>
 
-#include "renderer/features.h"
+#include "renderer/base/features.h"
 
 namespace gbl::gl {
 

@@ -5,9 +5,9 @@
 #include <regex>
 #include <sstream>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
+#include "renderer/base/resources.h"
 #include "renderer/gl/texture.h"
-#include "renderer/resources.h"
 
 namespace gbl::gl {
 namespace {

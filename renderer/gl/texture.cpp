@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gl/device.h"
 
 namespace gbl::gl {

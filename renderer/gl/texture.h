@@ -1,10 +1,10 @@
 #pragma once
-// Textures and framebuffers, made from descriptions. Formats are rows of renderer/format.h.
+// Textures and framebuffers, made from descriptions. Formats are rows of renderer/gbuffer/format.h.
 #include <glm/glm.hpp>
 #include <string_view>
 #include <vector>
 
-#include "renderer/format.h"
+#include "renderer/gbuffer/format.h"
 #include "renderer/gl/object.h"
 
 namespace gbl::gl {

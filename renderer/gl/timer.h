@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame_report.h"
+#include "renderer/frame/frame_report.h"
 #include "renderer/gl/texture.h"
 
 namespace gbl::gl {

@@ -9,7 +9,7 @@
 
 #include "renderer/gltf/gltf_files.h"
 #include "renderer/gltf/gltf_json.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl::gltf {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gltf/gltf_limits.h"
 
 namespace gbl::gltf {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/gltf/gltf_accessor.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl::gltf {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <new>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 #include "renderer/gltf/gltf_container.h"
 #include "renderer/gltf/gltf_instances.h"
 #include "renderer/gltf/gltf_limits.h"

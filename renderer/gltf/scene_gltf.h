@@ -15,7 +15,7 @@
 #include <span>
 #include <string_view>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

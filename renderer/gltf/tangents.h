@@ -9,7 +9,7 @@
 // - a corner without area in uv takes its neighbours' tangent, of its own corner only, else any direction.
 #include <glm/glm.hpp>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

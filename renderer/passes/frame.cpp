@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstring>
 
+#include "renderer/frame/method_choice.h"
+#include "renderer/frame/resolve.h"
 #include "renderer/gl/device.h"
-#include "renderer/method_choice.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/passes.h"
-#include "renderer/resolve.h"
 
 namespace gbl {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "renderer/frame_report.h"
+#include "renderer/frame/frame_report.h"
 #include "renderer/passes/gpu_scene.h"
 #include "renderer/passes/programs.h"
 #include "renderer/passes/shapes.h"

@@ -5,8 +5,8 @@
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/texture.h"
-#include "renderer/scene.h"
-#include "renderer/settings.h"
+#include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "renderer/base/random.h"
 #include "renderer/passes/frame_block.h"
-#include "renderer/random.h"
 
 namespace gbl {
 namespace {

@@ -1,9 +1,9 @@
 #include "renderer/passes/passes.h"
 
 #include "renderer/gl/pass_state.h"
-#include "renderer/light_bounds.h"
+#include "renderer/inspect/views.h"
+#include "renderer/light/light_bounds.h"
 #include "renderer/passes/frame_block.h"
-#include "renderer/views.h"
 
 namespace gbl {
 

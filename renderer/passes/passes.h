@@ -1,7 +1,7 @@
 #pragma once
 // The passes, each a function of the frame. A pass states all its state and binds all it reads.
 #include "renderer/gl/pass_state.h"
-#include "renderer/light_volume.h"
+#include "renderer/light/light_volume.h"
 #include "renderer/passes/frame.h"
 
 namespace gbl {

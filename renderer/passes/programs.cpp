@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/gbuffer_layout.h"
-#include "renderer/mistakes.h"
-#include "renderer/normal_encoding.h"
-#include "renderer/options.h"
+#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/gbuffer/normal_encoding.h"
+#include "renderer/options/options.h"
+#include "renderer/pitfalls/mistakes.h"
 
 namespace gbl {
 namespace {

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "renderer/gl/program.h"
-#include "renderer/settings.h"
-#include "renderer/views.h"
+#include "renderer/inspect/views.h"
+#include "renderer/options/settings.h"
 
 namespace gbl {
 

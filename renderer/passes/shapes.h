@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/gl/buffer.h"
-#include "renderer/light_volume.h"
+#include "renderer/light/light_volume.h"
 
 namespace gbl {
 

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gbuffer_layout.h"
+#include "renderer/gbuffer/gbuffer_layout.h"
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/readback.h"
 #include "renderer/gl/texture.h"
 #include "renderer/gl/timer.h"
-#include "renderer/light_clusters.h"
-#include "renderer/lights.h"
-#include "renderer/views.h"
+#include "renderer/inspect/views.h"
+#include "renderer/light/light_clusters.h"
+#include "renderer/light/lights.h"
 
 namespace gbl {
 

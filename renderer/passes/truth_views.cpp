@@ -1,9 +1,9 @@
 // What the reference needs to see, what the measures need decoded, and the two views that show the truth.
 #include <glm/gtc/type_ptr.hpp>
 
-#include "renderer/colour_map.h"
 #include "renderer/passes/judging.h"
 #include "renderer/passes/objects.h"
+#include "renderer/picture/colour_map.h"
 
 namespace gbl {
 namespace {

@@ -1,5 +1,5 @@
 // The pictures for the eye, and the wires over them. Look; do not touch: what they read is never changed.
-#include "renderer/views.h"
+#include "renderer/inspect/views.h"
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>

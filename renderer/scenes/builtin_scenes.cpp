@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/error.h"
+#include "renderer/base/error.h"
 
 namespace gbl {
 namespace {

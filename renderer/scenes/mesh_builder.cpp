@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 
 namespace gbl {
 namespace {

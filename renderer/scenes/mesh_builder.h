@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 #include "renderer/scenes/texture_painting.h"
 
 namespace gbl {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 #include "renderer/scenes/builtin_scenes.h"
 #include "renderer/scenes/scene_parts.h"
 

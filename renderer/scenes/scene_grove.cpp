@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 #include "renderer/scenes/builtin_scenes.h"
 #include "renderer/scenes/scene_house.h"
 #include "renderer/scenes/scene_parts.h"

@@ -1,7 +1,7 @@
 #pragma once
 // A small house for built-in scenes, in metres: 5.2 wide (X), 4 deep (Z), 4.5 high, standing at the origin, its door
 // towards +Z. One mesh per material.
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

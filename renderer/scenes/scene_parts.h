@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 #include "renderer/scenes/mesh_builder.h"
 #include "renderer/scenes/surface_textures.h"
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 #include "renderer/scenes/mesh_builder.h"
 #include "renderer/scenes/procedural_texture.h"
 #include "renderer/scenes/scene_parts.h"

@@ -2,7 +2,7 @@
 // Trees for built-in scenes, in metres, standing at y = 0 (roots go below).
 #include <cstdint>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

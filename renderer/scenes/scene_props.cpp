@@ -4,7 +4,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 #include "renderer/scenes/mesh_builder.h"
 #include "renderer/scenes/procedural_texture.h"
 

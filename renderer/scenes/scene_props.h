@@ -1,7 +1,7 @@
 #pragma once
 // The things that stand about in built-in scenes. Object space: Y up, feet at y = 0 or a little below, units of the
 // terrain (a cow is 75 long). Painted things use the texture of make_paint(), stone ones any stone.
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

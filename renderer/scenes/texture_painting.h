@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "renderer/random.h"
+#include "renderer/base/random.h"
 #include "renderer/scenes/surface_textures.h"
 
 namespace gbl {

@@ -13,8 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "renderer/error.h"
-#include "renderer/settings_json.h"
+#include "renderer/base/error.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/options.h"
+#include "renderer/options/options.h"
 
 namespace gbl {
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
-#include "renderer/settings_json.h"
+#include "renderer/base/error.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {

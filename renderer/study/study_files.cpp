@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
-#include "renderer/image.h"
-#include "renderer/settings_json.h"
-#include "renderer/study/gnuplot.h"
+#include "renderer/base/error.h"
+#include "renderer/options/settings_json.h"
+#include "renderer/picture/image.h"
+#include "renderer/study/charts/gnuplot.h"
 
 namespace gbl {
 namespace {

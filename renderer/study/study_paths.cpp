@@ -5,10 +5,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/error.h"
-#include "renderer/presets.h"
-#include "renderer/scene_look.h"
-#include "renderer/study/seeded_camera.h"
+#include "renderer/base/error.h"
+#include "renderer/options/presets.h"
+#include "renderer/scenes/scene_look.h"
+#include "renderer/study/stability/seeded_camera.h"
 
 namespace gbl {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/options.h"
-#include "renderer/scene.h"
+#include "renderer/options/options.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/settings_json.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {

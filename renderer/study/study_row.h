@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame_report.h"
-#include "renderer/options.h"
+#include "renderer/frame/frame_report.h"
+#include "renderer/options/options.h"
 #include "renderer/truth/measure.h"
 
 namespace gbl {

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fmt/format.h>
 
-#include "renderer/data_file.h"
-#include "renderer/error.h"
-#include "renderer/resources.h"
-#include "renderer/study/chart.h"
+#include "renderer/base/error.h"
+#include "renderer/base/resources.h"
+#include "renderer/options/data_file.h"
+#include "renderer/study/charts/chart.h"
 
 namespace gbl {
 namespace {

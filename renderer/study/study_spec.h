@@ -7,8 +7,8 @@
 //    "x": "bytes_per_pixel", "y": "normal_deg_p99", "family": "normal.space"}
 // permute is a product, its last path the fastest; an array of such objects is their union, in order, and none is the
 // base alone. A case that matches all members of one entry of skip is left out. Paths: renderer/study/study_paths.h.
+#include "renderer/frame/validate.h"
 #include "renderer/study/study_paths.h"
-#include "renderer/validate.h"
 
 namespace gbl {
 

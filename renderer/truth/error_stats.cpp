@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/colour_map.h"
+#include "renderer/picture/colour_map.h"
 
 namespace gbl {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "renderer/views.h"
+#include "renderer/inspect/views.h"
 
 namespace gbl {
 

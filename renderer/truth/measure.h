@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "renderer/axes.h"
+#include "renderer/options/axes.h"
 #include "renderer/truth/truth.h"
 
 namespace gbl {

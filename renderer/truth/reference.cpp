@@ -5,7 +5,7 @@
 #include <numeric>
 #include <thread>
 
-#include "renderer/lights.h"
+#include "renderer/light/lights.h"
 
 namespace gbl {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "renderer/attenuation.h"
+#include "renderer/light/attenuation.h"
 
 namespace gbl {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 // What one light does to one surface point, in double, from the formulas. Written apart from shaders/shade.glsl: what
 // is wrong there must not be wrong here in the same way.
-#include "renderer/scene.h"
-#include "renderer/settings.h"
+#include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
 

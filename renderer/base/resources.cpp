@@ -1,0 +1,91 @@
+#include "renderer/base/resources.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "renderer/base/error.h"
+
+// Each file's bytes go into the program as they are: the assembler copies them, which is instant for a font and
+// needs no generated source. The rows are written by CMake: ROW("shaders/combine.frag", "<file>").
+#if defined(__APPLE__)
+#define GBL_SECTION ".const_data\n"
+#define GBL_SYMBOL(n) "_gbl_resource_" #n
+#else
+#define GBL_SECTION ".section .rodata\n"
+#define GBL_SYMBOL(n) "gbl_resource_" #n
+#endif
+#define EMBED_AT(line, file)                                                                                         \
+  asm(GBL_SECTION ".globl " GBL_SYMBOL(line) "\n" GBL_SYMBOL(line) ":\n.incbin \"" file                              \
+                                                                   "\"\n"                                            \
+                                                                   ".globl " GBL_SYMBOL(line##_end) "\n" GBL_SYMBOL( \
+                                                                       line##_end) ":\n.byte 0\n.text\n");           \
+  extern "C" const char gbl_resource_##line[];                                                                       \
+  extern "C" const char gbl_resource_##line##_end[];
+#define EMBED(line, file) EMBED_AT(line, file)
+#define ROW(name, file) EMBED(__LINE__, file)
+#include "resource_rows.inc"
+#undef ROW
+
+namespace gbl {
+namespace {
+
+struct Embedded {
+  std::string_view name;
+  const char* begin;
+  const char* end;
+};
+#define FOUND_AT(line, name) {name, gbl_resource_##line, gbl_resource_##line##_end},
+#define FOUND(line, name) FOUND_AT(line, name)
+#define ROW(name, file) FOUND(__LINE__, name)
+const Embedded kEmbedded[] = {
+#include "resource_rows.inc"
+};
+#undef ROW
+
+std::filesystem::path g_override =
+    std::filesystem::exists(std::filesystem::path(GBL_SOURCE_FOLDER) / "shaders") ? GBL_SOURCE_FOLDER : "";
+
+}  // namespace
+
+std::string_view embedded_bytes(std::string_view name) {
+  for (const Embedded& e : kEmbedded)
+    if (e.name == name) return {e.begin, static_cast<size_t>(e.end - e.begin)};
+  throw Error(ExitCode::bad_input, name, "no such resource");
+}
+
+std::string resource(std::string_view name) {
+  if (!g_override.empty()) {
+    std::ifstream file(g_override / name, std::ios::binary);
+    std::stringstream text;
+    if (file && text << file.rdbuf()) return text.str();
+  }
+  return std::string(embedded_bytes(name));
+}
+
+std::vector<std::string> resource_names(std::string_view prefix) {
+  std::vector<std::string> names;
+  for (const Embedded& e : kEmbedded)
+    if (e.name.starts_with(prefix)) names.emplace_back(e.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+void set_override_folder(std::filesystem::path folder) { g_override = std::move(folder); }
+std::filesystem::path override_folder() { return g_override; }
+
+long long shaders_stamp() {
+  if (g_override.empty()) return 0;
+  constexpr long long kNone = std::numeric_limits<long long>::min();
+  long long newest = kNone;  // not 0: some libraries count file times from the year 2174, so that all are negative
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(g_override / "shaders", ignored)) {
+    const auto time = entry.last_write_time(ignored);
+    if (!ignored) newest = std::max<long long>(newest, time.time_since_epoch().count());
+  }
+  return newest == kNone ? 0 : newest;
+}
+
+}  // namespace gbl

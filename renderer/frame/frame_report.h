@@ -1,0 +1,40 @@
+#pragma once
+// What a frame cost: handed from renderer to UI, command line and studies. Unknown is empty, never zero.
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/options/settings.h"
+
+namespace gbl {
+
+struct PassTime {
+  std::string pass;          // "geometry", "lighting", "combine", "display", "count", …
+  std::optional<double> ms;  // empty until the query has answered
+};
+
+struct PairCounts {
+  uint64_t tested = 0;          // (pixel with geometry, light) whose record was read for that pixel
+  uint64_t shaded = 0;          // of those, passed to shade()
+  std::optional<uint64_t> lit;  // distance < range; counted by a pass of its own
+};
+
+struct FrameReport {
+  glm::ivec2 size{0};            // as drawn
+  std::vector<PassTime> passes;  // in the order drawn
+  std::string time_source;       // "gpu-query", "software-rasteriser" or "cpu-clock"
+  std::optional<PairCounts> pairs;
+  int draw_calls = 0;
+  int gbuffer_bytes_per_pixel = 0;
+  int accumulation_bytes_per_pixel = 0;
+  double mib = 0;                    // of all targets of the frame
+  int light_count = 0;               // lights drawn
+  Settings drawn;                    // the settings with nothing left to choose (renderer/frame/resolve.h)
+  std::vector<std::string> choices;  // what was chosen for `auto` and why
+  std::string method_reason;         // why lights.method=auto chose `drawn`'s; empty if it was asked for by name
+  std::string note;                  // reduced size, missing feature, …; empty = nothing to say
+};
+
+}  // namespace gbl

@@ -1,0 +1,31 @@
+#pragma once
+// Choices that are left to the lab: `auto` becomes the value that this scene needs, before anything is drawn.
+#include <string>
+#include <vector>
+
+#include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
+
+namespace gbl {
+
+// What the opaque materials of a scene need stored besides albedo and roughness.
+struct MaterialNeeds {
+  bool metal = false, emission = false, occlusion = false;
+  bool any() const { return metal || emission || occlusion; }
+};
+MaterialNeeds needs_of(const Scene&);
+
+// The smallest layout that holds these needs, and what it leaves out, a sentence each.
+struct LayoutChoice {
+  Layout layout;
+  std::vector<std::string> left_out;
+};
+LayoutChoice choose_layout(const MaterialNeeds&);
+
+struct Resolved {
+  Settings settings;               // with nothing left to choose
+  std::vector<std::string> notes;  // what was chosen and why, a sentence each
+};
+Resolved resolve(const Settings&, const Scene&);
+
+}  // namespace gbl

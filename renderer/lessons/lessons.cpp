@@ -1,0 +1,86 @@
+#include "renderer/lessons/lessons.h"
+
+#include <algorithm>
+#include <cassert>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/resources.h"
+#include "renderer/inspect/views.h"
+#include "renderer/options/data_file.h"
+#include "renderer/options/presets.h"
+
+namespace gbl {
+namespace {
+
+constexpr int kLessonVersion = 1;
+constexpr std::string_view kFolder = "assets/lessons/";
+
+std::string file_name(std::string_view id) { return data_file_name(kFolder, id); }
+
+bool large_layout(const Json& node, std::string_view where) {
+  const std::string layout = text_member(node, "layout", where);
+  if (layout.empty() || layout == "mosaic") return false;
+  if (layout == "large") return true;
+  throw Error(ExitCode::bad_input, where, fmt::format("unknown layout '{}'", layout), "known: mosaic, large");
+}
+
+LessonStep parse_step(const Json& node, std::string_view where) {
+  only_members(node, {"say", "set", "view", "layout", "question", "answer"}, where);
+  LessonStep step;
+  step.say = needed_text_member(node, "say", where);
+  step.set = node.contains("set") ? node["set"] : Json::object();
+  step.view = text_member(node, "view", where);
+  if (!step.view.empty()) look_up(where, [&] { view_by_id(step.view); });
+  step.large = large_layout(node, where);
+  step.question = text_member(node, "question", where);
+  step.answer = text_member(node, "answer", where);
+  if (step.question.empty() != step.answer.empty())
+    throw Error(ExitCode::bad_input, where, "\"question\" and \"answer\" must come together");
+  return step;
+}
+
+}  // namespace
+
+std::vector<std::string> lesson_ids() { return data_file_ids(kFolder); }
+
+Lesson load_lesson(std::string_view id) {
+  const std::vector<std::string> ids = lesson_ids();
+  if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
+    const std::vector<std::string_view> known(ids.begin(), ids.end());
+    throw Error(ExitCode::bad_input, "--lesson", fmt::format("unknown lesson '{}'", id), suggest(id, known));
+  }
+  return parse_lesson(id, resource(file_name(id)));
+}
+
+Lesson parse_lesson(std::string_view id, std::string_view json_text) {
+  const std::string where = file_name(id);
+  const Json json = parse_json(json_text, where);
+  if (!json.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");
+  check_file_version(json, kLessonVersion, "lesson", where);  // first: a newer file's members would be called misspelt
+  only_members(json, {"version", "title", "preset", "steps"}, where);
+
+  Lesson lesson;
+  lesson.id = id;
+  lesson.title = needed_text_member(json, "title", where);
+  lesson.preset = needed_text_member(json, "preset", where);
+  Settings tried;
+  look_up(where, [&] { tried = preset(lesson.preset).make(); });
+  if (!json.contains("steps") || !json["steps"].is_array() || json["steps"].empty())
+    throw Error(ExitCode::bad_input, where, "\"steps\" must be an array of at least one step");
+  for (const Json& node : json["steps"]) {
+    const std::string here = fmt::format("{}: step {}", where, lesson.steps.size() + 1);
+    lesson.steps.push_back(parse_step(node, here));
+    apply_patch(tried, lesson.steps.back().set, here);  // in order, as it will be shown
+  }
+  return lesson;
+}
+
+Settings settings_at(const Lesson& lesson, size_t step) {
+  assert(step < lesson.steps.size());
+  Settings s = preset(lesson.preset).make();
+  for (size_t i = 0; i <= step; ++i) apply_patch(s, lesson.steps[i].set, file_name(lesson.id));
+  return s;
+}
+
+}  // namespace gbl

@@ -1,0 +1,37 @@
+#pragma once
+// Lessons: data (assets/lessons/*.json) that the window steps through and that scripts and handouts are printed from.
+//   {"version": 1, "title": "…", "preset": "start", "steps": [{"say": "…", "set": {"lights.cull": "back"},
+//    "view": "final", "layout": "mosaic" | "large", "question": "…", "answer": "…"}]}
+// A step's settings are the preset's with the patches of steps 0…k applied in order: a step is a pure function of
+// the file, so stepping back gives exactly what was seen.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/options/settings_json.h"
+
+namespace gbl {
+
+struct LessonStep {
+  std::string say;       // one or two sentences, shown large
+  Json set;              // patch by dotted path; may be empty
+  std::string view;      // view id shown large or marked; empty = as before
+  bool large = false;    // the view alone, else the mosaic
+  std::string question;  // may be empty
+  std::string answer;    // revealed by Enter
+};
+
+struct Lesson {
+  std::string id;  // file name without ending
+  std::string title;
+  std::string preset;
+  std::vector<LessonStep> steps;
+};
+
+std::vector<std::string> lesson_ids();    // sorted
+Lesson load_lesson(std::string_view id);  // Error with the known ones; every step's patch has been tried
+Lesson parse_lesson(std::string_view id, std::string_view json_text);
+
+Settings settings_at(const Lesson&, size_t step);
+
+}  // namespace gbl

@@ -1,0 +1,211 @@
+#include "renderer/options/options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/inspect/views.h"
+#include "renderer/pitfalls/mistakes.h"
+
+namespace gbl {
+namespace {
+
+[[noreturn]] void bad_value(const Option& o, const Json& v, std::string_view expected) {
+  // A strict dump throws at bytes that are not UTF-8.
+  const std::string given = v.dump(-1, ' ', false, Json::error_handler_t::replace);
+  throw Error(ExitCode::bad_input, o.path, fmt::format("{} is not {}", given, expected));
+}
+
+double checked_number(const Option& o, const Json& v) {
+  if (!v.is_number() || !std::isfinite(v.get<double>())) bad_value(o, v, "a finite number");
+  const double x = v.get<double>();
+  if (x < o.min || x > o.max)
+    bad_value(o, v, fmt::format("in {:g} ... {:g}{}{}", o.min, o.max, *o.unit ? " " : "", o.unit));
+  return x;
+}
+
+double checked_whole(const Option& o, const Json& v) {
+  const double x = checked_number(o, v);
+  if (x != std::floor(x)) bad_value(o, v, "a whole number");
+  return x;
+}
+
+int checked_integer(const Option& o, const Json& v) { return static_cast<int>(checked_whole(o, v)); }
+
+template <size_t N>
+std::array<double, N> checked_vector(const Option& o, const Json& v) {
+  std::array<double, N> out{};
+  if (!v.is_array() || v.size() != N) bad_value(o, v, fmt::format("an array of {} numbers", N));
+  for (size_t i = 0; i < N; ++i) out[i] = checked_number(o, v[i]);
+  return out;
+}
+
+std::string checked_text(const Option& o, const Json& v) {
+  if (!v.is_string()) bad_value(o, v, "a text in quotes");
+  try {
+    static_cast<void>(v.dump());
+  } catch (const Json::type_error&) {
+    bad_value(o, v, "UTF-8");  // no settings file could hold it
+  }
+  return v.get<std::string>();
+}
+
+template <class E>
+E checked_choice(const Option& o, const Json& v) {
+  // `lights.volume.level=2` arrives as a number: ids that are digits are ids all the same.
+  if (!v.is_string() && !v.is_number_integer()) bad_value(o, v, "the id of a value");
+  return static_cast<E>(parse_id(o.values, v.is_string() ? v.get<std::string>() : v.dump(), o.path));
+}
+
+// Accessors: one for reading, one for writing, from the same member expression.
+#define GET(expr) [](const Settings& s) -> Json { return expr; }
+#define SET(...) [](Settings& s, const Json& v, const Option& o) { __VA_ARGS__; }
+#define CHOICE(E, member)                                                  \
+  .kind = Kind::choice, .values = rows<E>(), .get = GET(row(s.member).id), \
+  .set = SET(s.member = checked_choice<E>(o, v))
+#define NUMBER(member, lo, hi) \
+  .kind = Kind::number, .min = lo, .max = hi, .get = GET(s.member), .set = SET(s.member = checked_number(o, v))
+#define INTEGER(member, lo, hi) \
+  .kind = Kind::integer, .min = lo, .max = hi, .get = GET(s.member), .set = SET(s.member = checked_integer(o, v))
+#define TEXT(member) .kind = Kind::text, .get = GET(s.member), .set = SET(s.member = checked_text(o, v))
+
+Json vec3_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+glm::dvec3 checked_vec3(const Option& o, const Json& v) {
+  const auto a = checked_vector<3>(o, v);
+  return {a[0], a[1], a[2]};
+}
+
+glm::ivec2 checked_size(const Option& o, const Json& v) {
+  if (!v.is_array() || v.size() != 2) bad_value(o, v, "an array of 2 numbers");
+  return {checked_integer(o, v[0]), checked_integer(o, v[1])};
+}
+
+glm::dquat checked_quaternion(const Option& o, const Json& v) {
+  const auto a = checked_vector<4>(o, v);
+  const glm::dquat q(a[3], a[0], a[1], a[2]);
+  const double length = glm::length(q);
+  if (!(length > 1e-6)) bad_value(o, v, "a rotation (its length is 0)");
+  // A unit quaternion is kept to the bit, so that a state read back equals the state written.
+  return std::abs(length - 1) < 1e-12 ? q : q / length;
+}
+
+Json exponent_json(const Settings& s) {
+  return s.shading.exponent == kExponentFromRoughness ? Json("from-roughness") : Json(s.shading.exponent);
+}
+double checked_exponent(const Option& o, const Json& v) {
+  if (!v.is_string()) return checked_number(o, v);
+  if (v != "from-roughness") bad_value(o, v, "a number or \"from-roughness\"");
+  return kExponentFromRoughness;
+}
+
+std::set<std::string> checked_mistakes(const Option& o, const Json& v) {
+  if (!v.is_array()) bad_value(o, v, "an array of ids");
+  std::set<std::string> ids;
+  for (const Json& id : v) {
+    if (!id.is_string()) bad_value(o, v, "an array of ids");
+    ids.insert(mistake(id.get<std::string>()).id);
+  }
+  return ids;
+}
+
+constexpr double kFar = 1e9;  // world units; a bound for numbers that only have to be sane
+
+// clang-format off
+const Option kOptions[] = {
+  {.path = "scene", .group = Group::truth, .label = "Scene", .help = "builtin:NAME, or a model's file", TEXT(scene)},
+  {.path = "camera.position", .group = Group::truth, .label = "Camera position", .help = "world units", .unit = "units", .kind = Kind::vector, .min = -kFar, .max = kFar, .get = GET(vec3_json(s.camera.position)), .set = SET(s.camera.position = checked_vec3(o, v))},
+  {.path = "camera.orientation", .group = Group::truth, .label = "Camera orientation", .help = "quaternion x, y, z, w: world from view", .kind = Kind::vector, .min = -kFar, .max = kFar, .get = GET(Json::array({s.camera.orientation.x, s.camera.orientation.y, s.camera.orientation.z, s.camera.orientation.w})), .set = SET(s.camera.orientation = checked_quaternion(o, v))},
+  {.path = "camera.fov", .group = Group::truth, .label = "Field of view", .help = "vertical", .unit = "degrees", NUMBER(camera.fov, 1, 170)},
+  {.path = "camera.orthographic-height", .group = Group::truth, .label = "Orthographic height", .help = "0 = perspective", .unit = "units", NUMBER(camera.orthographic_height, 0, kFar)},
+  {.path = "camera.near", .group = Group::truth, .label = "Near plane", .help = "distance along the view axis", .unit = "units", NUMBER(camera.near, 1e-6, kFar)},
+  {.path = "camera.far", .group = Group::truth, .label = "Far plane", .help = "distance along the view axis", .unit = "units", NUMBER(camera.far, 1e-6, kFar)},
+  {.path = "time_s", .group = Group::truth, .label = "Time", .help = "lights move as functions of it", .unit = "s", NUMBER(time_s, 0, kFar)},
+  {.path = "size", .group = Group::truth, .label = "Size", .help = "width and height of the frame", .unit = "pixels", .kind = Kind::vector, .min = 1, .max = 16384, .get = GET(Json::array({s.size.x, s.size.y})), .set = SET(s.size = checked_size(o, v))},
+  {.path = "lights.source", .group = Group::truth, .label = "Lights from", .help = "where the lights come from", CHOICE(LightSource, lights.source)},
+  {.path = "lights.rig", .group = Group::truth, .label = "Lighting rig", .help = "a rig's file; needs a light source that reads it", TEXT(lights.rig)},
+  {.path = "lights.count", .group = Group::truth, .label = "Lights", .help = "how many lights are generated", .key = "[ ]", INTEGER(lights.count, 0, kMaxLights)},
+  {.path = "lights.seed", .group = Group::truth, .label = "Seed", .help = "of the generated lights' colours and places", .kind = Kind::integer, .min = 0, .max = 4294967295.0, .get = GET(s.lights.seed), .set = SET(s.lights.seed = static_cast<unsigned>(checked_whole(o, v)))},
+  {.path = "lights.range-scale", .group = Group::truth, .label = "Range scale", .help = "multiplies every light's range", NUMBER(lights.range_scale, 1e-3, 1e3)},
+  {.path = "lights.only", .group = Group::truth, .label = "Only light", .help = "this light alone; -1 = all", INTEGER(lights.only, -1, kMaxLights - 1)},
+  {.path = "lights.first", .group = Group::truth, .label = "First lights", .help = "the first k lights; -1 = all", INTEGER(lights.first, -1, kMaxLights)},
+  {.path = "lights.spot", .group = Group::truth, .label = "Spot edge", .help = "how a spot light ends sideways", CHOICE(LightSpot, lights.spot)},
+  {.path = "lights.markers", .group = Group::truth, .label = "Light cubes", .help = "forward draws after the lighting: they need the scene's depth", CHOICE(LightMarkers, lights.markers)},
+  {.path = "attenuation", .group = Group::truth, .label = "Attenuation", .help = "how light falls off with distance", .key = "T", CHOICE(Attenuation, attenuation)},
+  {.path = "range.kind", .group = Group::truth, .label = "Range", .help = "where a light ends", .key = "R", CHOICE(RangeKind, range.kind)},
+  {.path = "range.threshold", .group = Group::truth, .label = "Range threshold", .help = "where range.kind=threshold ends a light", NUMBER(range.threshold, 1e-6, 1)},
+  {.path = "shading.model", .group = Group::truth, .label = "Shading", .help = "the surface's reflection", .key = "K", CHOICE(ShadingModel, shading.model)},
+  {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_json, .set = SET(s.shading.exponent = checked_exponent(o, v))},
+  {.path = "shading.specular", .group = Group::truth, .label = "Specular", .help = "factor of the highlight", NUMBER(shading.specular, 0, 100)},
+  {.path = "ambient", .group = Group::truth, .label = "Ambient", .help = "light from everywhere, times the albedo", NUMBER(ambient, 0, 100)},
+  {.path = "background.fill", .group = Group::truth, .label = "Background", .help = "what is seen where no surface is", CHOICE(BackgroundFill, background.fill)},
+  {.path = "background.colour", .group = Group::truth, .label = "Background colour", .help = "linear, for background.fill=colour", .kind = Kind::vector, .min = 0, .max = 1e4, .get = GET(vec3_json(s.background.colour)), .set = SET(s.background.colour = checked_vec3(o, v))},
+  {.path = "normal-map", .group = Group::truth, .label = "Normal maps", .help = "bend the shading normal by the material's map", CHOICE(NormalMap, normal_map)},
+  {.path = "albedo", .group = Group::truth, .label = "Albedo", .help = "the surface's own colour, or white", CHOICE(AlbedoSource, albedo)},
+  {.path = "exposure", .group = Group::truth, .label = "Exposure", .help = "factor before the display transform", NUMBER(exposure, 1e-6, 1e6)},
+  {.path = "colour", .group = Group::truth, .label = "Colour", .help = "how texels are read and the picture is shown", CHOICE(Colour, colour)},
+  {.path = "layout", .group = Group::method, .label = "Layout", .help = "how the material is packed", .key = "L", CHOICE(Layout, layout)},
+  {.path = "normal.encoding", .group = Group::method, .label = "Normal", .help = "how the normal is stored", .key = "N", CHOICE(NormalEncoding, normal.encoding)},
+  {.path = "normal.space", .group = Group::method, .label = "Normal space", .help = "the axes that normals are stored along", CHOICE(NormalSpace, normal.space)},
+  {.path = "position.source", .group = Group::method, .label = "Position source", .help = "where the lighting gets its position", CHOICE(PositionSource, position.source)},
+  {.path = "position.reconstruct", .group = Group::method, .label = "Position", .help = "how depth becomes a position", .key = "Z", CHOICE(PositionReconstruct, position.reconstruct)},
+  {.path = "depth.format", .group = Group::method, .label = "Depth format", .help = "of the depth attachment", CHOICE(DepthFormat, depth.format)},
+  {.path = "lights.method", .group = Group::method, .label = "Method", .help = "which (pixel, light) pairs are shaded", .key = "M", CHOICE(LightMethod, lights.method)},
+  {.path = "lights.cull", .group = Group::method, .label = "Cull", .help = "which faces of a light volume are drawn", .key = "C", CHOICE(LightCull, lights.cull)},
+  {.path = "lights.volume.level", .group = Group::method, .label = "Volume level", .help = "icosphere subdivisions", CHOICE(VolumeLevel, lights.volume.level)},
+  {.path = "lights.volume.fit", .group = Group::method, .label = "Volume fit", .help = "mesh inside or around the sphere", CHOICE(VolumeFit, lights.volume.fit)},
+  {.path = "lights.volume.clip", .group = Group::method, .label = "Volume clip", .help = "whether near and far planes cut a volume", CHOICE(VolumeClip, lights.volume.clip)},
+  {.path = "lights.volume.depth", .group = Group::method, .label = "Volume depth test", .help = "whether a volume is tested against the scene's depth", CHOICE(VolumeDepth, lights.volume.depth)},
+  {.path = "accumulation.format", .group = Group::method, .label = "Accumulation", .help = "what light is summed in", .key = "F", CHOICE(AccumulationFormat, accumulation.format)},
+  {.path = "accumulation.targets", .group = Group::method, .label = "Light targets", .help = "diffuse and specular together or apart", CHOICE(AccumulationTargets, accumulation.targets)},
+  {.path = "background.skip", .group = Group::method, .label = "Background skip", .help = "how pixels without a surface are left out", CHOICE(BackgroundSkip, background.skip)},
+  {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents)},
+  {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
+  {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},
+  {.path = "mistakes", .group = Group::method, .label = "Mistakes", .help = "deliberate errors, by id", .kind = Kind::set, .get = GET(Json(s.mistakes)), .set = SET(s.mistakes = checked_mistakes(o, v))},
+  {.path = "view.main", .group = Group::view, .label = "Main view", .help = "the view shown large, by id", .kind = Kind::text, .get = GET(s.view.main), .set = SET(s.view.main = view_by_id(checked_text(o, v)).id)},
+  {.path = "view.volumes", .group = Group::view, .label = "Light volumes", .help = "wires over the main view", .key = "V", CHOICE(VolumeOverlay, view.volumes)},
+  {.path = "view.pick", .group = Group::view, .label = "Picked light", .help = "index of the light that wires, I and captions speak of", INTEGER(view.pick, 0, kMaxLights - 1)},
+  {.path = "view.object", .group = Group::view, .label = "Picked object", .help = "number of the object that is outlined and named, from 1; 0 = none", INTEGER(view.object, 0, 1 << 24)},
+  {.path = "view.error.of", .group = Group::view, .label = "Error of", .help = "what the error view compares with the reference", .key = "Y", CHOICE(ErrorOf, view.error.of)},
+  {.path = "view.error.scale", .group = Group::view, .label = "Error scale", .help = "how far off, or which way", CHOICE(ErrorScale, view.error.scale)},
+  {.path = "view.error.range", .group = Group::view, .label = "Error range", .help = "where the error's colour bar ends, in its unit; 0 = where 99.9 % of the pixels are within it", NUMBER(view.error.range, 0, kFar)},
+};
+// clang-format on
+#undef TEXT
+#undef INTEGER
+#undef NUMBER
+#undef CHOICE
+#undef SET
+#undef GET
+
+}  // namespace
+
+std::span<const Option> options() { return kOptions; }
+
+const Option& option(std::string_view path) {
+  std::vector<std::string_view> known;
+  for (const Option& o : kOptions) {
+    if (o.path == path) return o;
+    known.push_back(o.path);
+  }
+  throw Error(ExitCode::bad_input, path, "unknown option", suggest(path, known));
+}
+
+int chosen(const Option& o, const Settings& s) { return parse_id(o.values, o.get(s).get<std::string>(), o.path); }
+
+void cycle(const Option& o, Settings& s, int step, FeatureSet available) {
+  const int n = static_cast<int>(o.values.size());
+  int i = chosen(o, s);
+  do i = (i + step + n) % n;
+  while (!available.has(o.values[i].needs));
+  o.set(s, o.values[i].id, o);
+}
+
+std::string_view group_id(Group g) {
+  constexpr const char* kIds[] = {"truth", "method", "view"};
+  return kIds[static_cast<int>(g)];
+}
+
+}  // namespace gbl

@@ -1,0 +1,46 @@
+#pragma once
+// The options table: everything that can be set, one row each. JSON, --set, the UI's combos, keys, docs and tests
+// follow from it. A path is a promise; no path is the beginning of another at a dot.
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/options/settings.h"
+
+namespace gbl {
+
+using Json = nlohmann::ordered_json;  // keeps the tables' order in files
+
+enum class Group { truth, method, view };
+enum class Kind { choice, integer, number, text, vector, set };
+
+struct Option {
+  const char* path;
+  Group group;
+  const char* label;
+  const char* help;
+  const char* key = "";  // one letter on the keyboard; "" = reached through `O`
+  const char* unit = "";
+  Kind kind;
+  std::span<const ValueRow> values = {};  // of a choice
+  double min = 0, max = 0;                // of integer, number and each member of a vector; both ends allowed
+  Json (*get)(const Settings&) = nullptr;
+  void (*set)(Settings&, const Json&, const Option&) = nullptr;  // throws Error naming the path
+};
+
+std::span<const Option> options();
+const Option& option(std::string_view path);  // Error with the nearest paths if unknown
+
+// Index of a choice's current row.
+int chosen(const Option&, const Settings&);
+// The next (step 1) or previous (-1) row, cyclic; rows whose feature is missing are passed over.
+void cycle(const Option&, Settings&, int step, FeatureSet available);
+
+// False: under these settings the option changes nothing, sound or not.
+bool in_use(const Option&, const Settings&);
+
+std::string_view group_id(Group);
+
+}  // namespace gbl

@@ -1,0 +1,149 @@
+#pragma once
+// A scene as plain data: no GL, no files. World is right-handed, Y up, metres; transforms are double.
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/camera.h"
+
+namespace gbl {
+
+struct Vertex {
+  glm::vec3 position;   // object space
+  glm::vec3 normal;     // unit
+  glm::vec4 tangent;    // xyz unit along +u; w = +1 or -1: bitangent = w * cross(normal, tangent)
+  glm::vec2 uv;         // origin top left, as glTF
+  glm::vec2 uv1{0};     // a second set
+  glm::vec4 colour{1};  // linear; multiplies the base colour
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<Vertex> vertices;
+  std::vector<uint32_t> indices;  // triangles, counter-clockwise seen from outside
+};
+
+enum class Wrap { repeat, clamp, mirror };
+enum class Filter {
+  nearest,
+  linear,
+  nearest_mipmap_nearest,
+  linear_mipmap_nearest,
+  nearest_mipmap_linear,
+  linear_mipmap_linear
+};
+struct Sampler {
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  Filter min = Filter::linear_mipmap_linear, mag = Filter::linear;
+  bool operator==(const Sampler&) const = default;
+};
+
+struct Texture {
+  std::string name;
+  glm::ivec2 size{0};
+  std::vector<uint8_t> rgba;  // rows top to bottom; 4 bytes a texel; colour textures are sRGB-coded
+  Sampler sampler;
+};
+
+inline constexpr int kNoTexture = -1;
+
+// A texture as a material reads it.
+struct TextureUse {
+  int texture = kNoTexture;
+  int uv_set = 0;             // 0 or 1
+  glm::mat3 uv_transform{1};  // of KHR_texture_transform: texel uv = (transform * (u, v, 1)).xy
+};
+
+enum class AlphaMode { opaque, mask, blend };
+
+// The metallic-roughness material of glTF 2.0; factors multiply texels.
+struct Material {
+  std::string name;
+  glm::vec4 base_colour{1};  // linear; a: coverage, used as alpha_mode says
+  float roughness = 1;       // perceptual, 0..1
+  float metal = 0;           // 0..1
+  glm::vec3 emissive{0};     // linear, times any emissive strength
+  float normal_scale = 1;    // of the map's x and y
+  float occlusion_strength = 1;
+  TextureUse base_colour_texture;  // sRGB
+  TextureUse normal_texture;       // tangent space, n * 0.5 + 0.5, +Y up (green = bitangent)
+  TextureUse roughness_texture;    // green: roughness, blue: metal; linear
+  TextureUse emissive_texture;     // sRGB
+  TextureUse occlusion_texture;    // red; linear
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;  // of mask
+  bool double_sided = false;
+  bool unlit = false;  // shown as it is, lit by nothing
+};
+
+struct Instance {
+  std::string name;
+  int mesh = 0, material = 0;
+  glm::dmat4 world_from_object{1};
+};
+
+struct Bounds {
+  glm::dvec3 min{0}, max{0};
+  glm::dvec3 centre() const { return (min + max) * 0.5; }
+  glm::dvec3 extent() const { return max - min; }
+};
+
+enum class LightKind { point, spot, directional };
+
+inline constexpr double kEndless = 1e30;  // range of a light without end
+
+struct Light {
+  glm::dvec3 position{0};   // world; of a directional light unused
+  glm::dvec3 colour{1};     // linear; times intensity
+  double range = kEndless;  // world units; no light at or beyond it
+  LightKind kind = LightKind::point;
+  glm::dvec3 direction{0, -1, 0};       // unit, from the light; of spot and directional
+  double inner_cos = 1, outer_cos = 0;  // of a spot: full within the inner cone, none outside the outer
+  glm::dvec3 coefficients{0};           // its own falloff 1/(x + y d + z d^2), before the settings'; all 0: none
+  double profile_range = 0;             // what the settings' falloff is a function of; set by lights_of()
+};
+
+// How a scene places N generated lights: on a grid of side ceil(sqrt(N)), turning about a vertical axis.
+// (Source 0: nclgl tutorial 15, renderer.cpp lines 10-27 and 204-222.)
+struct LightGrid {
+  glm::dvec2 extent{4112, 4112};  // x and z from 0; range = extent.x / side
+  double height = 100;            // y of every light
+  glm::dvec2 pivot{2056, 2056};   // x, z of the axis they turn about
+  double degrees_per_s = 10;      // about +Y
+};
+
+// How a scene places N generated lights in a box: uniformly, by seed.
+enum class BoxRange {
+  overlap,   // so that a point of the box lies in `overlap` lights on average, whatever N is
+  fixed,     // `range` each
+  quadratic  // where colour / (1 + 0.7 d + 1.8 d^2) falls to 5/256 (source 2)
+};
+struct LightBox {
+  glm::dvec3 min{0}, max{0};
+  BoxRange rule = BoxRange::overlap;
+  double overlap = 4;
+  double range = 1;
+  double colour_min = 0.5, colour_max = 1.5;  // each channel
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Mesh> meshes;
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  std::vector<Instance> instances;
+  std::vector<Light> lights;          // the scene's own
+  std::optional<LightBox> light_box;  // for generated lights; without one, the grid
+  LightGrid light_grid;
+  Bounds bounds;                      // of all instances, world
+  Camera camera;                      // the scene's own view
+  double exposure = 1;                // that shows its own lights well
+  std::vector<std::string> warnings;  // what was skipped or replaced, a line each
+};
+
+Bounds bounds_of(const Scene&);
+
+}  // namespace gbl

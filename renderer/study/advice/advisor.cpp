@@ -1,0 +1,316 @@
+#include "renderer/study/advice/advisor.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/frame/estimate.h"
+#include "renderer/frame/method_choice.h"
+#include "renderer/frame/resolve.h"
+#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/light/lights.h"
+#include "renderer/options/options.h"
+
+namespace gbl {
+namespace {
+
+constexpr size_t kMostSetups = 300;    // whole set-ups tried before giving up
+constexpr double kMostWork = 6;        // times the least estimated, to be measured at all
+constexpr size_t kMeasuredSetups = 4;  // that hold and are measured where the cost is no count of bytes
+
+using Patch = std::vector<std::pair<const char*, const char*>>;  // path, id
+
+void apply(Settings& s, const Patch& patch) {
+  for (const auto& [path, id] : patch) {
+    const Option& o = option(path);
+    o.set(s, id, o);
+  }
+}
+
+std::string in_words(const Patch& patch) {
+  std::string out;
+  for (const auto& [path, id] : patch) out += fmt::format("{}{}={}", out.empty() ? "" : " ", path, id);
+  return out;
+}
+
+// Everything that a G-buffer could lose is kept, everything that is approximate is off. Depth decides which surface is
+// seen even where positions are stored apart: the finest there is.
+Settings lossless(const Settings& truth, FeatureSet features) {
+  Settings s = truth;
+  const Settings defaults;
+  for (const Option& o : options())
+    if (o.group == Group::method) o.set(s, o.get(defaults), o);
+  apply(s, {{"layout", "float32"},
+            {"normal.encoding", "xyz32f"},
+            {"position.source", "view32f"},
+            {"accumulation.format", "rgba32f"},
+            {"accumulation.targets", "one"},
+            {"lights.method", "auto"},
+            {"lights.cull", "front"}});
+  if (features.has(Feature::clip_control)) apply(s, {{"depth.format", "d32f-reversed"}});
+  s.view = {};
+  return s;
+}
+
+// The values of one axis that may be chosen, each as a patch over the lossless set-up.
+using Values = std::vector<Patch>;
+
+template <class E>
+void for_sound_rows(const DeviceLimits& limits, const std::function<void(const ValueRow&)>& each) {
+  for (const ValueRow& r : rows<E>())
+    if (r.sound() && limits.features.has(r.needs)) each(r);
+}
+
+// compact and exact find their variants by themselves, and auto is one of the others.
+Values layouts(const DeviceLimits& limits) {
+  Values out;
+  for_sound_rows<Layout>(limits, [&](const ValueRow& r) {
+    const auto l = static_cast<Layout>(r.value);
+    if (l != Layout::auto_ && l != Layout::compact_metal && l != Layout::exact_emission)
+      out.push_back({{"layout", r.id}});
+  });
+  return out;
+}
+
+Values normals(const DeviceLimits& limits) {
+  Values out;
+  for_sound_rows<NormalEncoding>(limits, [&](const ValueRow& r) { out.push_back({{"normal.encoding", r.id}}); });
+  return out;
+}
+
+// Depth formats from the finest: of set-ups with equal costs the first is taken.
+Values positions(const DeviceLimits& limits) {
+  Values out;
+  for_sound_rows<DepthFormat>(limits, [&](const ValueRow& r) {
+    out.insert(out.begin(), Patch{{"position.source", "depth"}, {"depth.format", r.id}});
+  });
+  for_sound_rows<PositionSource>(limits, [&](const ValueRow& r) {
+    if (static_cast<PositionSource>(r.value) != PositionSource::depth) out.push_back({{"position.source", r.id}});
+  });
+  return out;
+}
+
+Values accumulations(const DeviceLimits& limits) {
+  Values out;
+  for_sound_rows<AccumulationFormat>(limits, [&](const ValueRow& f) {
+    for_sound_rows<AccumulationTargets>(limits, [&](const ValueRow& t) {
+      out.push_back({{"accumulation.format", f.id}, {"accumulation.targets", t.id}});
+    });
+  });
+  return out;
+}
+
+int bytes_of(const Settings& s, const Scene& scene) {
+  const Settings r = resolve(s, scene).settings;
+  return gbuffer_bytes_per_pixel(r) + accumulation_bytes_per_pixel(r);
+}
+
+class Advisor {
+ public:
+  Advisor(const Settings& truth, const Scene& scene, const ErrorBudget& budget, AdviceCost cost,
+          const DeviceLimits& limits, const JudgeFn& judge, const CostFn& measure, const AdviceProgress& progress,
+          const std::atomic<bool>& cancel)
+      : scene_(scene),
+        budget_(budget),
+        cost_(cost),
+        limits_(limits),
+        judge_(judge),
+        measure_(measure),
+        progress_(progress),
+        cancel_(cancel),
+        base_(lossless(truth, limits.features)) {
+    base_.lights.method = choose_method(base_, lights_of(truth, scene), limits.features).method;
+  }
+
+  Advice advise() {
+    for (Values (*axis)(const DeviceLimits&) : {layouts, normals, positions, accumulations})
+      axes_.push_back(values_that_hold(axis(limits_)));
+    const std::vector<AdvisedSetup> holding = setups_that_hold();
+    if (cost_ == AdviceCost::bytes)
+      take_two(holding);
+    else
+      take_two(measured(holding));
+    if (advice_.best) say_what_is_left_out(advice_.best->settings);
+    return std::move(advice_);
+  }
+
+ private:
+  void step(const std::string& what) const {
+    if (cancel_) throw Error(ExitCode::interrupted, "advice", "stopped");
+    progress_(what);
+  }
+
+  // From every camera, or until one fails.
+  Tried tried(const std::string& what, const Settings& s) const {
+    step(what);
+    Tried out{what, true, 0, {}};
+    for (int camera = 0; camera < kAdviceCameras && out.holds; ++camera) {
+      const BoundCheck b = judge_(s, camera);
+      out.holds = budget_.holds(b);
+      if (camera > 0 && out.holds && b.worst <= out.worst.worst) continue;
+      out.camera = camera, out.worst = b;
+    }
+    return out;
+  }
+
+  Values values_that_hold(const Values& all) {
+    Values out;
+    for (const Patch& patch : all) {
+      Settings s = base_;
+      apply(s, patch);
+      if (!validate(s, limits_).empty()) continue;
+      advice_.values.push_back(tried(in_words(patch), s));
+      if (advice_.values.back().holds) out.push_back(patch);
+    }
+    return out;
+  }
+
+  // All products of values that hold alone, fewest bytes first.
+  std::vector<AdvisedSetup> products() const {
+    std::vector<AdvisedSetup> out{{base_, 0, 0, {}}};
+    for (const Values& axis : axes_) {
+      std::vector<AdvisedSetup> longer;
+      for (const AdvisedSetup& before : out)
+        for (const Patch& patch : axis) {
+          longer.push_back(before);
+          apply(longer.back().settings, patch);
+        }
+      out = std::move(longer);
+    }
+    std::erase_if(out, [&](const AdvisedSetup& a) { return !validate(a.settings, limits_).empty(); });
+    for (AdvisedSetup& a : out) a.cost = a.bytes_per_pixel = bytes_of(a.settings, scene_);
+    std::stable_sort(out.begin(), out.end(), [](const AdvisedSetup& a, const AdvisedSetup& b) {
+      return a.bytes_per_pixel < b.bytes_per_pixel;
+    });
+    return out;
+  }
+
+  std::vector<AdvisedSetup> setups_that_hold() {
+    const size_t wanted = cost_ == AdviceCost::bytes ? 2 : kMeasuredSetups;
+    std::vector<AdvisedSetup> out;
+    size_t looked_at = 0;
+    for (AdvisedSetup& a : products()) {
+      if (out.size() == wanted || ++looked_at > kMostSetups) break;
+      a.proof = tried(setup_in_words(a.settings), a.settings);
+      if (a.proof.holds)
+        out.push_back(std::move(a));
+      else if (out.empty())
+        advice_.rejected.push_back(std::move(a.proof));
+    }
+    return out;
+  }
+
+  // The first with every sound method, the others with the method that was the cheapest.
+  std::vector<AdvisedSetup> measured(const std::vector<AdvisedSetup>& holding) {
+    std::vector<AdvisedSetup> out;
+    if (holding.empty()) return out;
+    for (AdvisedSetup& a : with_each_method(holding.front())) append_measured(out, std::move(a));
+    const auto cheapest = std::min_element(out.begin(), out.end(), cheaper);
+    if (cheapest == out.end()) return out;
+    const LightMethod method = cheapest->settings.lights.method;
+    if (shading_of(method) == Shading::deferred)
+      for (size_t i = 1; i < holding.size(); ++i) {
+        AdvisedSetup a = holding[i];
+        a.settings.lights.method = method;
+        append_measured(out, std::move(a));
+      }
+    std::stable_sort(out.begin(), out.end(), cheaper);
+    return out;
+  }
+
+  // Not those whose work is estimated at many times the least: measuring them would take longer than all the rest.
+  std::vector<AdvisedSetup> with_each_method(const AdvisedSetup& setup) {
+    std::vector<std::pair<double, AdvisedSetup>> all;
+    for_sound_rows<LightMethod>(limits_, [&](const ValueRow& r) {
+      AdvisedSetup a = setup;
+      LightMethod& method = a.settings.lights.method = static_cast<LightMethod>(r.value);
+      if (method == LightMethod::auto_) return;
+      if (method == LightMethod::prepass) a.settings.accumulation.targets = AccumulationTargets::split;
+      all.emplace_back(estimate_work(a.settings, lights_of(a.settings, scene_)), std::move(a));
+    });
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<AdvisedSetup> out;
+    for (auto& [work, a] : all) {
+      if (work <= kMostWork * all.front().first)
+        out.push_back(std::move(a));
+      else
+        advice_.left_out.push_back(fmt::format("lights.method={}: its work is estimated at {:.0f} times the least",
+                                               row(a.settings.lights.method).id, work / all.front().first));
+    }
+    return out;
+  }
+
+  // A method of other stored bits is judged, too: forward and deferred lighting store less.
+  void append_measured(std::vector<AdvisedSetup>& out, AdvisedSetup a) {
+    if (!validate(a.settings, limits_).empty()) return;
+    const std::string what = setup_in_words(a.settings);
+    if (shading_of(a.settings.lights.method) != Shading::deferred) {
+      a.proof = tried(what, a.settings);
+      if (!a.proof.holds) return advice_.rejected.push_back(a.proof);
+    }
+    step(fmt::format("measuring {}", what));
+    a.cost = measure_(a.settings);
+    a.bytes_per_pixel = bytes_of(a.settings, scene_);
+    out.push_back(std::move(a));
+  }
+
+  static bool cheaper(const AdvisedSetup& a, const AdvisedSetup& b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.bytes_per_pixel < b.bytes_per_pixel;
+  }
+
+  void take_two(const std::vector<AdvisedSetup>& sorted) {
+    if (!sorted.empty()) advice_.best = sorted[0];
+    if (sorted.size() > 1) advice_.runner_up = sorted[1];
+  }
+
+  // Values that would have been cheaper and failed, and what no material has.
+  void say_what_is_left_out(const Settings& best) {
+    Settings compact = best;
+    for (const std::string& note : resolve(compact, scene_).notes) advice_.left_out.push_back(note);
+    const MaterialNeeds needs = needs_of(scene_);
+    const auto say_if = [&](bool missing, const char* what) {
+      if (missing) advice_.left_out.push_back(fmt::format("{}: no material of the scene has any", what));
+    };
+    say_if(!needs.metal, "metal");
+    say_if(!needs.emission, "emission");
+    say_if(!needs.occlusion, "occlusion");
+    for (const Tried& t : advice_.values)
+      if (!t.holds)
+        advice_.left_out.push_back(
+            fmt::format("{}: {:.3g} % of the pixels are over the bound from camera {}, the worst by {:.3g} codes",
+                        t.what, 100 * t.worst.share_over(), t.camera, 255 * t.worst.worst));
+  }
+
+  const Scene& scene_;
+  const ErrorBudget budget_;
+  const AdviceCost cost_;
+  const DeviceLimits limits_;
+  const JudgeFn& judge_;
+  const CostFn& measure_;
+  const AdviceProgress& progress_;
+  const std::atomic<bool>& cancel_;
+  Settings base_;
+  std::vector<Values> axes_;  // of each, the values that hold alone
+  Advice advice_;
+};
+
+}  // namespace
+
+std::string setup_in_words(const Settings& s) {
+  constexpr const char* kPaths[] = {"lights.method",       "layout",       "normal.encoding",
+                                    "position.source",     "depth.format", "accumulation.format",
+                                    "accumulation.targets"};
+  std::string out;
+  for (const char* path : kPaths)
+    if (const Option& o = option(path); in_use(o, s))
+      out += fmt::format("{}{}={}", out.empty() ? "" : " ", path, o.get(s).get<std::string>());
+  return out;
+}
+
+Advice advise(const Settings& truth, const Scene& scene, const ErrorBudget& budget, AdviceCost cost,
+              const DeviceLimits& limits, const JudgeFn& judge, const CostFn& measure, const AdviceProgress& progress,
+              const std::atomic<bool>& cancel) {
+  return Advisor(truth, scene, budget, cost, limits, judge, measure, progress, cancel).advise();
+}
+
+}  // namespace gbl

@@ -1,0 +1,72 @@
+#pragma once
+// The cheapest set-up for a scene that holds an error budget, over its own camera and seeded ones: first every value
+// of every axis alone, with nothing else lost, then the products of those that hold, cheapest first. "Model no more
+// than a scene needs" (the user's words), carried out. No GL: what is measured comes through a JudgeFn.
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/frame/validate.h"
+#include "renderer/scene/scene.h"
+#include "renderer/truth/measure.h"
+
+namespace gbl {
+
+enum class AdviceCost { time, bytes, pairs };
+struct AdviceCostRow {
+  AdviceCost cost;
+  const char* id;
+  const char* unit;
+};
+inline constexpr AdviceCostRow kAdviceCosts[] = {{AdviceCost::time, "time", "ms"},
+                                                 {AdviceCost::bytes, "bytes", "bytes per pixel"},
+                                                 {AdviceCost::pairs, "pairs", "pairs"}};
+inline const AdviceCostRow& row(AdviceCost c) { return kAdviceCosts[static_cast<size_t>(c)]; }
+
+// How far displayed colours may be off, 0..1, and in how large a share of the pixels they may be off by more.
+struct ErrorBudget {
+  double display_difference = 1 / 255.0;
+  double share_over = 0.001;
+  bool holds(const BoundCheck& b) const { return b.share_over() <= share_over; }
+};
+
+inline constexpr int kAdviceCameras = 5;  // the settings' own and four seeded ones
+
+// What is asked of a set-up: is the bound held from this camera (0: the settings' own)?
+using JudgeFn = std::function<BoundCheck(const Settings&, int camera)>;
+// What it costs from the settings' own camera: ms of a frame or pairs shaded + tested; bytes need no measurement.
+using CostFn = std::function<double(const Settings&)>;
+using AdviceProgress = std::function<void(const std::string& what)>;
+
+// One axis' value, tried with nothing else lost, or a whole set-up.
+struct Tried {
+  std::string what;  // "normal.encoding=oct8", or the set-up in words
+  bool holds = true;
+  int camera = 0;    // the first at which it failed, or the worst
+  BoundCheck worst;  // there
+};
+
+struct AdvisedSetup {
+  Settings settings;
+  double cost = 0;
+  int bytes_per_pixel = 0;  // G-buffer and light together
+  Tried proof;              // the worst camera's check
+};
+
+struct Advice {
+  std::optional<AdvisedSetup> best, runner_up;
+  std::vector<Tried> values;          // each axis' values alone, in the order tried
+  std::vector<Tried> rejected;        // whole set-ups cheaper than the best that failed together
+  std::vector<std::string> left_out;  // what the best leaves out and why, a sentence each
+};
+
+// The best is the cheapest by cost; equal costs: fewer bytes first. Throws Error(interrupted) when cancelled.
+Advice advise(const Settings& truth, const Scene&, const ErrorBudget&, AdviceCost, const DeviceLimits&, const JudgeFn&,
+              const CostFn&, const AdviceProgress&, const std::atomic<bool>& cancel);
+
+// What a set-up is made of: "layout=… normal.encoding=… …", as far as it is in use.
+std::string setup_in_words(const Settings&);
+
+}  // namespace gbl

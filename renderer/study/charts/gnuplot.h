@@ -1,0 +1,25 @@
+#pragma once
+// gnuplot as a function: script in, picture out. No shell is asked and no file is named in the script, so nothing in a
+// study's label can be taken for a command.
+#include <string>
+
+#include "renderer/study/charts/chart.h"
+
+namespace gbl {
+
+// What gnuplot writes to its standard output. Error(unfinished): it is not installed (and which package has it), or it
+// refused the script.
+std::string run_gnuplot(const std::string& script);
+
+// A text for a script, quotes included; control characters become spaces.
+std::string gnuplot_text(const std::string&);
+
+struct ChartTexts {
+  std::string title, subtitle;
+};
+enum class ChartFile { svg, png };
+
+// Named axes with units, families by colour and shape, the Pareto front as a line, presets circled and named.
+std::string chart_script(const Chart&, const ChartTexts&, ChartFile);
+
+}  // namespace gbl

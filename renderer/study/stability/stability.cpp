@@ -1,0 +1,117 @@
+#include "renderer/study/stability/stability.h"
+
+#include <algorithm>
+
+#include "renderer/base/error.h"
+#include "renderer/study/stability/stability_sweeps.h"
+
+namespace gbl {
+
+std::span<const Sweep> sweeps() {
+  static const std::vector<Sweep> kSweeps = {light_distance_sweep(), far_plane_sweep(),      volume_level_sweep(),
+                                             cull_families_sweep(),  normal_angle_sweep(),   roughness_sweep(),
+                                             view_distance_sweep(),  world_offset_sweep(),   near_plane_sweep(),
+                                             light_count_sweep(),    range_threshold_sweep()};
+  return kSweeps;
+}
+
+const Sweep& sweep(std::string_view id) {
+  std::vector<std::string_view> known;
+  for (const Sweep& s : sweeps()) {
+    if (s.id == id) return s;
+    known.emplace_back(s.id);
+  }
+  throw Error(ExitCode::bad_input, "stability", std::string("unknown sweep '").append(id).append("'"),
+              suggest(id, known));
+}
+
+bool has_families(const Sweep& s) { return std::string_view(s.id) == "cull-families"; }
+
+SweepSetup setup_at(const Sweep& s, const Curve& curve, double value) {
+  SweepSetup setup = s.at(value);
+  curve.apply(setup.settings);
+  return setup;
+}
+
+AxisWords words_of(const Sweep& s) {
+  const SweepMetric& metric = sweep_metric(s.metric);
+  return {s.parameter, s.unit, metric.id, metric.unit, has_families(s)};
+}
+
+bool SweepResult::holds() const {
+  for (const CurveResult& c : curves)
+    for (const Judged& j : c.judged)
+      if (!j.verdict.holds) return false;
+  return !cancelled;
+}
+
+namespace {
+
+SweepRow row_of(const Sweep& s, const Curve& curve, double x, const SweepSetup& setup, const Measured& m) {
+  const SweepMetric& metric = sweep_metric(s.metric);
+  return {s.id, curve.id, x, metric.id, value_of(metric, setup, m), m.errors, m.truth ? lit_pixels(*m.truth) : 0};
+}
+
+void judge(const Sweep& s, const Curve& curve, CurveResult& result) {
+  std::vector<CurvePoint> points;
+  for (const SweepRow& r : result.rows) points.push_back({r.x, r.value});
+  for (const Expected& e : curve.expected) result.judged.push_back({text_of(e, words_of(s)), check(e, points)});
+}
+
+// What the curves are, and which of them this device draws.
+std::vector<CurveResult> begin(const Sweep& s, const std::vector<Curve>& curves, double first, const SweepRun& run) {
+  std::vector<CurveResult> out;
+  for (const Curve& c : curves) {
+    const Settings settings = setup_at(s, c, first).settings;
+    const std::vector<Problem> problems = validate(settings, run.limits);
+    out.push_back({.curve = c.id,
+                   .not_drawn = problems.empty() ? "" : problems[0].path + " " + problems[0].sentence,
+                   .settings = settings});
+  }
+  return out;
+}
+
+}  // namespace
+
+SweepRunner::SweepRunner(const Sweep& s, const SweepRun& run)
+    : values_(run.values.empty() ? s.values() : run.values), curves_(s.curves(run.rounding)) {
+  std::sort(values_.begin(), values_.end());
+  result_ = {.sweep = &s, .curves = begin(s, curves_, values_.front(), run)};
+  find_next();
+}
+
+void SweepRunner::find_next() {
+  const Sweep& s = *result_.sweep;
+  while (!complete() && !result_.curves[next_ % curves_.size()].not_drawn.empty()) ++next_;
+  if (complete()) {
+    for (size_t i = 0; i < curves_.size(); ++i)
+      if (result_.curves[i].not_drawn.empty()) judge(s, curves_[i], result_.curves[i]);
+    return;
+  }
+  const size_t value = next_ / curves_.size();
+  if (based_ != value) base_ = s.at(values_[value]), based_ = value;
+  setup_ = base_;
+  curves_[next_ % curves_.size()].apply(setup_.settings);
+}
+
+void SweepRunner::add(const Measured& m) {
+  const size_t curve = next_ % curves_.size();
+  const double x = values_[next_ / curves_.size()];
+  result_.curves[curve].rows.push_back(row_of(*result_.sweep, curves_[curve], x, setup_, m));
+  ++next_;
+  find_next();
+}
+
+SweepResult run_sweep(const Sweep& s, const SweepRun& run, const MeasureFn& measure, const SweepProgressFn& progress,
+                      const std::atomic<bool>& cancel) {
+  SweepRunner runner(s, run);
+  while (!runner.complete() && !cancel) {
+    if (progress) progress(s, runner.done(), runner.total());
+    runner.add(measure(runner.setup()));
+  }
+  SweepResult result = runner.result();
+  result.cancelled = !runner.complete();
+  return result;
+}
+
+}  // namespace gbl

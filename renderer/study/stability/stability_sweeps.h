@@ -1,0 +1,24 @@
+#pragma once
+// The rows of sweeps(), a function each; the sweeps of a kind share a file.
+#include "renderer/study/stability/stability.h"
+
+namespace gbl {
+
+// stability_volumes.cpp: which faces of a light's volume are seen
+Sweep light_distance_sweep();
+Sweep far_plane_sweep();
+Sweep volume_level_sweep();
+// stability_normals.cpp: what a normal's code loses
+Sweep normal_angle_sweep();
+Sweep roughness_sweep();
+// stability_positions.cpp: where the surface is taken to be
+Sweep view_distance_sweep();
+Sweep world_offset_sweep();
+Sweep near_plane_sweep();
+// stability_light.cpp: sums, and where a light ends
+Sweep light_count_sweep();
+Sweep range_threshold_sweep();
+// stability_families.cpp: everything at once
+Sweep cull_families_sweep();
+
+}  // namespace gbl

@@ -1,0 +1,29 @@
+// Every variant of the views' programs compiles; what is drawn is covered by one_picture_gl_test.
+#include "renderer/passes/programs.h"
+#include "tests/passes/all_pairs.h"
+
+namespace gbl::test {
+namespace {
+
+class ShaderVariants : public GlTest {};
+
+// Compiled without a draw: a driver may take ten times as long to make machine code of a program at its first draw.
+TEST_F(ShaderVariants, EveryViewCompilesForEveryValue) {
+  ProgramCache programs;
+  for (const Axis& axis : all_axes())
+    for (const Choice& c : axis) {
+      const Settings s = settings_of({c}, {8, 4});
+      for (const ViewRow& v : views())
+        for (const int raw : {0, 1}) {
+          gl::Defines defines = gbuffer_defines(s);
+          defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
+          defines.push_back({"VIEW", static_cast<int>(v.view)});
+          defines.push_back({"RAW", raw});
+          ASSERT_NO_THROW(programs.get("fullscreen.vert", "views.frag", defines)) << v.id << " " << c.value->id;
+        }
+    }
+  EXPECT_GE(programs.size(), 100u);
+}
+
+}  // namespace
+}  // namespace gbl::test

@@ -1,0 +1,47 @@
+#include "renderer/pitfalls/mistakes.h"
+
+#include <set>
+
+#include "renderer/options/options.h"
+#include "renderer/options/presets.h"
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+TEST(Mistakes, HaveIdsHelpAndSources) {
+  std::set<std::string> ids;
+  for (const Mistake& m : mistakes()) {
+    EXPECT_TRUE(ids.insert(m.id).second) << m.id;
+    EXPECT_GT(std::string(m.help).size(), 20u) << m.id;
+    EXPECT_GT(std::string(m.source).size(), 10u) << m.id;
+    EXPECT_EQ(&mistake(m.id), &m);
+  }
+}
+
+TEST(Mistakes, AreSetByIdAndUnknownOnesAreRefused) {
+  Settings s;
+  const Option& o = option("mistakes");
+  o.set(s, Json::array({"tbn-precedence", "specular-ungated"}), o);
+  EXPECT_EQ(s.mistakes, (std::set<std::string>{"specular-ungated", "tbn-precedence"}));
+  EXPECT_FALSE(sound(s));
+  const std::string line = error_line(ExitCode::bad_input, [&] { o.set(s, Json::array({"tbn-precedense"}), o); });
+  EXPECT_TRUE(contains(line, "did you mean 'tbn-precedence'")) << line;
+  EXPECT_THROW(o.set(s, Json::array({3}), o), std::runtime_error);
+}
+
+// Each is there because a source contains it, and no mended twin does.
+TEST(Mistakes, EachStandsInASourcesPresetAndInNoMendedOne) {
+  std::set<std::string> used;
+  for (const Preset& p : presets()) {
+    const Settings s = p.make();
+    used.insert(s.mistakes.begin(), s.mistakes.end());
+    if (std::string(p.id).ends_with("-fixed")) {
+      EXPECT_TRUE(sound(s)) << p.id << ": " << unsound_choices(s).front().pitfall;
+    }
+  }
+  for (const Mistake& m : mistakes()) EXPECT_TRUE(used.count(m.id)) << m.id;
+}
+
+}  // namespace
+}  // namespace gbl

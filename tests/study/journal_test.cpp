@@ -1,0 +1,152 @@
+#include "renderer/study/journal.h"
+
+#include <csignal>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <regex>
+#include <sstream>
+#include <sys/resource.h>
+
+#include "renderer/options/presets.h"
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+Json good(const char* key, int n = 0) { return {{"key", key}, {"n", n}}; }
+Json bad(const char* key, const char* why) { return {{"key", key}, {"failed", why}}; }
+std::string line(const Json& row) { return row.dump() + "\n"; }
+
+TEST(RowKey, IsOfTheSettingsAndNotOfTheView) {
+  Settings a = preset("start").make(), b = a;
+  EXPECT_TRUE(std::regex_match(row_key(a), std::regex("[0-9a-f]{16}"))) << row_key(a);
+  b.view.main = "normal", b.view.pick = 3;
+  EXPECT_EQ(row_key(a), row_key(b));
+  b.lights.seed = 2;
+  EXPECT_NE(row_key(a), row_key(b));
+}
+
+TEST(Journal, KeepsRowsAndKnowsThemAgain) {
+  const TemporaryFolder folder("journal");
+  const fs::path path = folder / "rows.jsonl";
+  {
+    Journal journal(path);
+    EXPECT_TRUE(journal.rows().empty());
+    journal.append(good("a", 1));
+    EXPECT_TRUE(journal.has("a"));
+    EXPECT_EQ(text_of(path), line(good("a", 1))) << "on the disk at once";
+    journal.append(good("b", 2));
+  }
+  Journal again(path);
+  EXPECT_TRUE(again.has("a"));
+  EXPECT_TRUE(again.has("b"));
+  EXPECT_FALSE(again.has("c"));
+  EXPECT_EQ(again.rows(), (std::vector<Json>{good("a", 1), good("b", 2)}));
+}
+
+TEST(Journal, ATornLastLineIsDropped) {
+  const TemporaryFolder folder("journal-torn");
+  const fs::path path = folder / "rows.jsonl";
+  // Cut short, whole but for its end of line, and what a crash leaves of a block.
+  for (const std::string& torn : {std::string(R"({"key": "b", "n)"), good("b").dump(), std::string(20, '\0') + "\n",
+                                  std::string("{\"no\": \"key\"}\n"), std::string("\n")}) {
+    write(path, line(good("a")) + torn);
+    Journal journal(path);
+    EXPECT_EQ(text_of(path), line(good("a"))) << torn;
+    EXPECT_FALSE(journal.has("b"));
+    journal.append(good("b"));
+    EXPECT_EQ(text_of(path), line(good("a")) + line(good("b")));
+  }
+  write(path, "{\"key\"");
+  EXPECT_TRUE(Journal(path).rows().empty());
+  EXPECT_EQ(text_of(path), "");
+}
+
+TEST(Journal, ABadLineElsewhereIsNamed) {
+  const TemporaryFolder folder("journal-bad");
+  const fs::path path = folder / "rows.jsonl";
+  for (const std::string middle : {"{\"key\": \"b\", \"n\n", "[1]\n", "\n", "{\"key\": 5}\n"}) {
+    write(path, line(good("a")) + middle + line(good("c")));
+    const std::string message = error_line(ExitCode::bad_input, [&] { Journal journal(path); });
+    EXPECT_TRUE(contains(message, "rows.jsonl:2: ")) << message;
+    EXPECT_EQ(text_of(path), line(good("a")) + middle + line(good("c"))) << "untouched";
+  }
+}
+
+TEST(Journal, OfConcatenatedFilesTheFirstRowOfAKeyWins) {
+  const TemporaryFolder folder("journal-two");
+  const fs::path path = folder / "rows.jsonl";
+  write(path, line(good("a", 1)) + line(good("b", 1)) + line(good("b", 2)) + line(good("c", 2)) + line(bad("a", "no")));
+  EXPECT_EQ(Journal(path).rows(), (std::vector<Json>{good("a", 1), good("b", 1), good("c", 2)}));
+}
+
+TEST(Journal, WhatFailedIsTriedAgainAndTheNewerRowCounts) {
+  const TemporaryFolder folder("journal-failed");
+  const fs::path path = folder / "rows.jsonl";
+  {
+    Journal journal(path);
+    journal.append(bad("a", "first"));
+    EXPECT_FALSE(journal.has("a"));
+    journal.append(bad("a", "second"));
+    journal.append(good("b"));
+    EXPECT_EQ(journal.rows(), (std::vector<Json>{bad("a", "second"), good("b")}));
+    journal.append(good("a"));
+    EXPECT_TRUE(journal.has("a"));
+  }
+  EXPECT_EQ(Journal(path).rows(), (std::vector<Json>{good("a"), good("b")}));
+}
+
+// A limit on the size of files stands for a full disk: the write is cut short, the next one refused.
+TEST(Journal, OnAFullDiskNothingHalfWrittenIsKept) {
+  const TemporaryFolder folder("journal-full");
+  const fs::path path = folder / "rows.jsonl";
+  Journal journal(path);
+  journal.append(good("a"));
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  for (const rlim_t room : {rlim_t(5), rlim_t(0)}) {
+    rlimit tight = before;
+    tight.rlim_cur = line(good("a")).size() + room;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+    const std::string message = error_line(ExitCode::unfinished, [&] { journal.append(good("b")); });
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_TRUE(contains(message, "rows.jsonl: cannot be written")) << message;
+    EXPECT_EQ(text_of(path), line(good("a")));
+    EXPECT_FALSE(journal.has("b"));
+  }
+  std::signal(SIGXFSZ, handler);
+  journal.append(good("b"));
+  EXPECT_EQ(text_of(path), line(good("a")) + line(good("b")));
+}
+
+TEST(Journal, RefusesWhatItCannotKeepRowsIn) {
+  const TemporaryFolder folder("journal-odd");
+  error_line(ExitCode::unfinished, [&] { Journal journal(folder / "no-such-folder/rows.jsonl"); });
+  error_line(ExitCode::unfinished, [&] { Journal journal(folder.path()); });
+  const std::string device = error_line(ExitCode::bad_input, [&] { Journal journal("/dev/full"); });
+  EXPECT_TRUE(contains(device, "is not a file")) << device;
+  Journal first(folder / "rows.jsonl");
+  const std::string second = error_line(ExitCode::unfinished, [&] { Journal journal(folder / "rows.jsonl"); });
+  EXPECT_TRUE(contains(second, "another study writes to it")) << second;
+}
+
+TEST(Journal, TextThatIsNotUtf8DoesNotStopAStudy) {
+  const TemporaryFolder folder("journal-utf8");
+  Journal journal(folder / "rows.jsonl");
+  journal.append({{"key", "a"}, {"failed", "bad byte \xff"}});
+  EXPECT_EQ(journal.rows().size(), 1u);
+}
+
+}  // namespace
+}  // namespace gbl

@@ -1,0 +1,204 @@
+#include "renderer/study/study_files.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <sstream>
+
+#include "renderer/options/settings_json.h"
+#include "renderer/picture/image.h"
+#include "renderer/study/charts/gnuplot.h"
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Machine kMachine{"Mesa 22.3", "llvmpipe"};
+
+StudySpec spec_with_label(const std::string& label) {
+  StudySpec spec = parse_study(R"({"name": "t", "x": "mib", "y": "rmse_linear"})", "t.json");
+  spec.label = label;
+  return spec;
+}
+
+Json row(const char* name, double mib, const Json& error, const Json& at = Json::object()) {
+  Json r = {{"study", "t"}, {"case", name}, {"key", name}, {"at", at}, {"mib", mib}, {"rmse_linear", error}};
+  r["size"] = "640x360";
+  r["time_source"] = "software-rasteriser";
+  r["device"] = "llvmpipe";
+  r["settings"] = to_json(Settings{});
+  return r;
+}
+
+std::vector<Json> rows() {
+  std::vector<Json> list = {row("a, \"quoted\"\nline", 1, 0.5, {{"layout", "exact"}}), row("b", 2, 0),
+                            row("nclgl", 3, 0.25, {{"preset", "nclgl"}}), row("d", 4, nullptr)};
+  list[1]["time_ms_lighting_median"] = 2.5;  // a column that the first row has not
+  list.push_back({{"study", "t"}, {"case", "e"}, {"key", "e"}, {"at", Json::object()}, {"failed", "no memory"}});
+  return list;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool gnuplot_is_there() {
+  try {
+    run_gnuplot("");
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+#define NEEDS_GNUPLOT() \
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed: charts are not tested here"
+
+// ---- study.csv --------------------------------------------------------------------------------------------
+// RFC 4180, read back.
+std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
+  std::vector<std::vector<std::string>> table(1, {""});
+  bool quoted = false;
+  for (size_t i = 0; i < text.size(); ++i) {
+    std::string& cell = table.back().back();
+    const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : '\0';
+    if (quoted && c == '"' && next == '"')
+      cell += c, ++i;
+    else if (c == '"')
+      quoted = !quoted;
+    else if (quoted)
+      cell += c;
+    else if (c == ',')
+      table.back().emplace_back();
+    else if (c == '\r' && next == '\n') {
+      ++i;
+      if (i + 1 < text.size()) table.emplace_back(1, "");
+    } else
+      cell += c;
+  }
+  return table;
+}
+
+TEST(StudyCsv, IsReadBackAsWritten) {
+  const auto table = parse_csv(study_csv(rows(), kMachine));
+  ASSERT_EQ(table.size(), rows().size() + 1);
+  std::vector<std::map<std::string, std::string>> read;
+  for (size_t i = 1; i < table.size(); ++i) {
+    ASSERT_EQ(table[i].size(), table[0].size()) << i;
+    read.emplace_back();
+    for (size_t c = 0; c < table[0].size(); ++c) read.back()[table[0][c]] = table[i][c];
+  }
+  EXPECT_EQ(read[0].size(), table[0].size()) << "a column stands twice";
+  EXPECT_EQ(read[0]["case"], "a, \"quoted\"\nline");
+  EXPECT_EQ(read[0]["at.layout"], "exact");
+  EXPECT_EQ(read[1]["at.layout"], "");
+  EXPECT_EQ(read[2]["at.preset"], "nclgl");
+  EXPECT_EQ(read[0]["rmse_linear"], "0.5");
+  EXPECT_EQ(read[3]["rmse_linear"], "") << "unknown is empty, never zero";
+  EXPECT_EQ(read[0]["time_ms_lighting_median"], "");
+  EXPECT_EQ(read[1]["time_ms_lighting_median"], "2.5");
+  EXPECT_EQ(read[0]["lights.volume.level"], "2");
+  EXPECT_EQ(read[0]["size"], "640x360");
+  EXPECT_EQ(read[0]["camera.position"], "[0.0,0.0,0.0]");
+  EXPECT_EQ(read[4]["failed"], "no memory");
+  for (auto& r : read) {
+    EXPECT_EQ(r["driver"], "Mesa 22.3");
+    EXPECT_EQ(r["device"], "llvmpipe");
+  }
+  EXPECT_EQ(read[0].count("view.main"), 0u);
+}
+
+TEST(StudyCsv, HasAHeaderEvenWithoutRows) {
+  EXPECT_TRUE(study_csv({}, kMachine).starts_with("study,case,key,driver,device,scene,"));
+}
+
+TEST(StudyJson, HoldsTheSpecTheMachineAndTheRows) {
+  const StudySpec spec = spec_with_label("T");
+  const Json json = Json::parse(study_json(spec, rows(), kMachine).dump());
+  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["spec"], spec.json);
+  EXPECT_EQ(json["machine"]["device"], "llvmpipe");
+  EXPECT_EQ(json["rows"].size(), rows().size());
+}
+
+// ---- the chart --------------------------------------------------------------------------------------------
+TEST(StudyFiles, AreAllWritten) {
+  NEEDS_GNUPLOT();
+  const TemporaryFolder folder("study-files");
+  const fs::path out = folder / "new/deep";
+  write_study_files(out, spec_with_label("Speed & accuracy"), rows(), kMachine);
+  EXPECT_TRUE(Json::parse(bytes_of(out / "study.json")).is_object());
+  const std::string svg = bytes_of(out / "study.svg");
+  for (const char* part : {"<svg", "Speed &amp; accuracy", "llvmpipe, 640x360 pixels, times by software-rasteriser",
+                           "rows without these numbers: 1", "rows that failed: 1", "all targets of a frame [MiB]",
+                           "rmse_linear: root mean square [radiance]", "Pareto front", ">nclgl<", "</svg>"})
+    EXPECT_TRUE(contains(svg, part)) << part;
+  EXPECT_EQ(read_png(out / "study.png").size, glm::ivec2(1280, 800));
+  size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(out)) ++files;
+  EXPECT_EQ(files, 4u) << "nothing temporary is left";
+}
+
+TEST(StudyFiles, NothingInATextIsACommand) {
+  NEEDS_GNUPLOT();
+  const TemporaryFolder folder("study-hostile");
+  const std::string touched = (folder / "touched").string();
+  const std::string hostile = "it's `touch " + touched + "` $(touch " + touched + ") \"';system('touch " + touched +
+                              "');' \n!touch " + touched + "\nEOD \\ @x {a}_b %d \xc3\xa4";
+  std::vector<Json> list = rows();
+  list[0]["at"]["lights.method"] = hostile;
+  list[2]["at"]["preset"] = hostile;
+  list[0]["device"] = hostile;
+  write_study_files(folder / "out", spec_with_label(hostile), list, kMachine);
+  EXPECT_FALSE(fs::exists(touched));
+  const std::string svg = bytes_of(folder / "out/study.svg");
+  EXPECT_TRUE(contains(svg, "it&apos;s `touch") || contains(svg, "it's `touch")) << "shown as it is";
+}
+
+TEST(StudyFiles, EveryColumnCanBeDrawn) {
+  NEEDS_GNUPLOT();
+  std::vector<Json> list = rows();
+  for (size_t i = 0; i < 3; ++i) {
+    for (const ErrorColumn& e : error_columns()) list[i][e.id] = i * 0.1;
+    for (const char* id : {"time_ms_total_median", "pairs_shaded", "pairs_lit", "draw_calls"}) list[i][id] = 5;
+  }
+  for (const char* x : {"draw_calls", "shaded_per_lit", "mib"})
+    for (const ChartColumn& y : chart_error_columns())
+      EXPECT_TRUE(
+          contains(run_gnuplot(chart_script(chart_points(list, x, y.id, "layout"), {}, ChartFile::svg)), "</svg>"))
+          << x << " " << y.id;
+}
+
+TEST(StudyFiles, WithoutGnuplotTheTablesAreThere) {
+  const TemporaryFolder folder("study-no-gnuplot");
+  const std::string before = std::getenv("PATH");
+  setenv("PATH", folder.path().c_str(), 1);
+  const std::string line = error_line(
+      ExitCode::unfinished, [&] { write_study_files(folder / "out", spec_with_label("T"), rows(), kMachine); });
+  setenv("PATH", before.c_str(), 1);
+  EXPECT_TRUE(contains(line, "gnuplot-nox")) << line;
+  EXPECT_TRUE(fs::exists(folder / "out/study.csv"));
+  EXPECT_TRUE(fs::exists(folder / "out/study.json"));
+  EXPECT_FALSE(fs::exists(folder / "out/study.svg"));
+}
+
+TEST(StudyFiles, NothingToDrawIsSaid) {
+  const TemporaryFolder folder("study-nothing");
+  const std::string line = error_line(
+      ExitCode::unfinished, [&] { write_study_files(folder.path(), spec_with_label("T"), {rows()[3]}, kMachine); });
+  EXPECT_TRUE(contains(line, "no row has both mib and rmse_linear")) << line;
+  EXPECT_TRUE(fs::exists(folder / "study.csv"));
+}
+
+TEST(Gnuplot, ARefusedScriptIsAnErrorOfOneLine) {
+  NEEDS_GNUPLOT();
+  error_line(ExitCode::unfinished, [] { run_gnuplot("set terminal no-such-terminal\n"); });
+}
+
+}  // namespace
+}  // namespace gbl

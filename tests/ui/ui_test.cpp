@@ -1,0 +1,254 @@
+// What stands on the screen: texts that fit, glyphs that exist, the mouse, motion, captions, sheets.
+#include <gtest/gtest.h>
+#include <imgui.h>
+#include <set>
+
+#include "renderer/lessons/lessons.h"
+#include "tests/ui/ui_desk.h"
+#include "ui/camera_motion.h"
+
+namespace gbl::ui {
+namespace {
+
+TEST(Window, NoTextIsCutAtAnySizeOrScale) {
+  const char* screens[] = {"0", "1", "F1", "o", "h", "b", "n", "PgDn"};
+  for (const ImVec2 display : {ImVec2{1600, 900}, {1280, 720}, {1920, 1080}, {1366, 768}, {1600, 1200}, {2560, 1080}})
+    for (const bool present : {false, true}) {
+      for (const char* screen : screens) {
+        Desk desk(display, present);
+        desk.press(screen);
+        EXPECT_TRUE(desk.ui.cut_texts().empty()) << display.x << "x" << display.y << (present ? " presenting " : " ")
+                                                 << screen << ": " << desk.ui.cut_texts().front();
+      }
+    }
+}
+
+TEST(Window, EveryCardFits) {
+  for (const bool present : {false, true})
+    for (const bool large : {false, true}) {
+      Desk desk({1280, 720}, present);
+      for (const ViewRow& v : views()) {
+        if (!*v.key) continue;
+        desk.press("0");
+        desk.press(v.key);
+        if (!large) desk.press("0");
+        desk.press("h");
+        EXPECT_TRUE(desk.ui.cut_texts().empty()) << v.id << ": " << desk.ui.cut_texts().front();
+        desk.press("h");
+      }
+    }
+}
+
+// The glyphs of every text that the tables can put on screen are in the font.
+TEST(Window, NoTextOfTheTablesLacksAGlyph) {
+  Desk desk;
+  std::string all;
+  for (const Option& o : options()) {
+    all += std::string(o.label) + o.help + o.unit;
+    for (const ValueRow& r : o.values) all += std::string(r.label) + r.help + r.cost + r.source;
+  }
+  for (const ViewRow& v : views())
+    all += std::string(v.label) + v.sentence + v.space + v.unit + v.range + v.read_by + v.decode + v.in_sources +
+           v.mistake;
+  for (const KeyRow& k : key_rows()) all += k.key + k.help;
+  for (const Preset& p : presets()) all += std::string(p.label) + p.help;
+  for (const std::string& id : lesson_ids()) {
+    const Lesson lesson = load_lesson(id);
+    all += lesson.title;
+    for (const LessonStep& s : lesson.steps) all += s.say + s.question + s.answer;
+  }
+  const ImFont* font = ImGui::GetIO().Fonts->Fonts[0];
+  for (size_t i = 0; i < all.size();) {
+    const auto byte = static_cast<unsigned char>(all[i]);
+    const int length = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+    unsigned code = byte & (length == 1 ? 0x7F : 0xFF >> (length + 1));
+    for (int k = 1; k < length; ++k)
+      code = code << 6 | (static_cast<unsigned char>(all[i + static_cast<size_t>(k)]) & 0x3F);
+    EXPECT_TRUE(length < 4 && font->FindGlyphNoFallback(static_cast<ImWchar>(code))) << all.substr(i, 20);
+    i += static_cast<size_t>(length);
+  }
+}
+
+TEST(Window, WhatIsBelowAnOverlayIsNotDrawn) {
+  Desk desk;
+  desk.press("F1");
+  EXPECT_EQ(desk.visible(), 0);
+  desk.press("Esc");
+  desk.press("o");
+  EXPECT_EQ(desk.visible(), 6);  // the two pictures at the right edge
+  desk.press("Esc");
+  desk.press("h");
+  EXPECT_EQ(desk.visible(), 4);  // the card of `final` stands on the four beside it
+  desk.press("h");
+  EXPECT_EQ(desk.visible(), 8);
+}
+
+TEST(Window, AViewThatIsNotStoredKeepsItsKeyAndIsNotDrawn) {
+  Desk desk;
+  desk.settings.accumulation.targets = AccumulationTargets::one;
+  desk.press("6");
+  EXPECT_EQ(desk.settings.view.main, "diffuse-light");
+  EXPECT_EQ(desk.visible(), 0);
+  desk.press("0");
+  EXPECT_EQ(desk.visible(), 6);
+}
+
+TEST(Window, TheGlideEndsInsideTheLightAndGoesBack) {
+  Desk desk;
+  const Camera before = desk.settings.camera;
+  desk.press("i");
+  EXPECT_TRUE(desk.ui.moving(desk.settings));
+  desk.seconds += 0.6;
+  desk.frame();
+  EXPECT_NE(desk.settings.camera, before);
+  desk.seconds += 0.7;
+  desk.frame();
+  EXPECT_FALSE(desk.ui.moving(desk.settings));
+  const Light light = lights_of(desk.settings, desk.scene)[static_cast<size_t>(desk.settings.view.pick)];
+  EXPECT_NEAR(glm::length(desk.settings.camera.position - light.position), light.range / 2, 1e-6);
+  desk.press("i");
+  desk.seconds += 2;
+  desk.frame();
+  EXPECT_EQ(desk.settings.camera, before);
+}
+
+TEST(Window, TheCameraMovesWhileAKeyIsHeldAndOnlyThen) {
+  Desk desk;
+  const glm::dvec3 from = desk.settings.camera.position, ahead = desk.settings.camera.forward();
+  desk.held = {"w"};
+  desk.seconds += 0.1;
+  desk.frame();
+  const glm::dvec3 step = desk.settings.camera.position - from;
+  EXPECT_GT(glm::dot(step, ahead), 0);
+  EXPECT_NEAR(glm::length(step), glm::dot(step, ahead), 1e-6);
+  desk.held = {"s", "Shift"};
+  desk.seconds += 0.1;
+  desk.frame();
+  EXPECT_NEAR(glm::length(desk.settings.camera.position - from), 3 * glm::length(step), 1e-6);
+  desk.held.clear();
+  const Settings rest = desk.settings;
+  desk.seconds += 5;
+  desk.frame();
+  EXPECT_EQ(desk.settings, rest);
+}
+
+TEST(Window, ATextThatCannotFitIsNoted) {
+  Desk desk;
+  ImGui::NewFrame();
+  std::vector<std::string> cut;
+  Painter p(*ImGui::GetBackgroundDrawList(), cut);
+  p.fit("fits", {100, 20}, 15, false);
+  EXPECT_TRUE(cut.empty());
+  p.fit("does not", {5, 20}, 15, false);
+  EXPECT_EQ(cut, std::vector<std::string>{"does not"});
+  ImGui::EndFrame();
+}
+
+TEST(Window, AMethodWhoseFeatureIsMissingIsPassedOver) {
+  Desk desk;
+  for (const bool compute : {false, true}) {
+    if (compute) desk.features.add(Feature::compute);
+    std::set<LightMethod> seen;
+    for (size_t k = 0; k < 2 * rows<LightMethod>().size(); ++k) {
+      desk.press("m");
+      seen.insert(desk.settings.lights.method);
+    }
+    EXPECT_EQ(seen.count(LightMethod::tiled), compute);
+    EXPECT_EQ(seen.count(LightMethod::clustered), 1u);
+    EXPECT_EQ(seen.count(LightMethod::auto_), 1u);
+  }
+}
+
+TEST(Window, SpaceLetsTimeRun) {
+  Desk desk;
+  desk.press("Space");
+  desk.seconds += 0.2;
+  desk.frame();
+  EXPECT_NEAR(desk.settings.time_s, 0.2, 1e-12);
+  desk.press("Space");
+  desk.seconds += 0.2;
+  desk.frame();
+  EXPECT_NEAR(desk.settings.time_s, 0.2, 1e-12);
+}
+
+TEST(Window, ANumberIsTypedAndABadOneIsRefused) {
+  Desk desk;
+  const auto holds_pick = [](const std::vector<const Option*>& page) {
+    return std::find(page.begin(), page.end(), &option("view.pick")) != page.end();
+  };
+  int number = 0;
+  while (!holds_pick(options_on_page(number))) ++number;
+  const std::vector<const Option*> page = options_on_page(number);
+  for (int k = 0; k <= number; ++k) desk.press("o");
+  const std::string letter = option_letter(page, option("view.pick"));
+  desk.press(letter);
+  desk.frame();
+  desk.press("c");  // the field has the keyboard
+  EXPECT_EQ(desk.settings.lights.cull, LightCull::flip);
+  desk.type("12");
+  EXPECT_EQ(desk.settings.view.pick, 12);
+  desk.press(letter);
+  desk.frame();
+  desk.type("99999999");
+  EXPECT_EQ(desk.settings.view.pick, 12);
+  desk.press("Esc");
+  desk.press("c");
+  EXPECT_EQ(desk.settings.lights.cull, LightCull::back);
+}
+
+TEST(Mouse, HoverReadsThePixelWithItsOriginTopLeft) {
+  Desk desk;
+  EXPECT_FALSE(desk.requests.probe);
+  desk.point({0.5f, 0.5f});
+  EXPECT_EQ(desk.requests.probe, glm::ivec2(0, 0));
+  desk.point({800 + 399.5f, 224.5f});  // albedo's last corner: the same frame at half the size
+  EXPECT_EQ(desk.requests.probe, glm::ivec2(1278, 718));
+  desk.point({1300, 800});
+  EXPECT_FALSE(desk.requests.probe);
+}
+
+TEST(Mouse, ARightClickHoldsThePixelAndALeftOneChoosesTheView) {
+  Desk desk;
+  desk.point({100, 100});
+  desk.point({100, 100}, false, true);
+  desk.point({1300, 800});
+  EXPECT_EQ(desk.requests.probe, glm::ivec2(160, 160));
+  desk.report.size = {640, 360};  // drawn at half the size: the same place
+  desk.frame();
+  EXPECT_EQ(desk.requests.probe, glm::ivec2(80, 80));
+  desk.report.size = {1280, 720};
+  desk.click({1300, 100});
+  EXPECT_EQ(desk.settings.view.main, "normal");
+  EXPECT_EQ(desk.visible(), 8);
+}
+
+TEST(Mouse, ADragOnTheLargePictureLooksAroundAndChoosesNothing) {
+  Desk desk;
+  desk.settings.view.main = "depth";
+  const Camera before = desk.settings.camera;
+  desk.point({100, 100});
+  desk.point({100, 100}, true);
+  desk.point({140, 90}, true);
+  desk.point({140, 90});
+  EXPECT_EQ(desk.settings.camera.position, before.position);
+  const glm::dvec2 turn = yaw_pitch_of(desk.settings.camera.orientation) - yaw_pitch_of(before.orientation);
+  EXPECT_NEAR(turn.x, -4, 1e-6);  // 45 degrees are 450 pixels high
+  EXPECT_NEAR(turn.y, 1, 1e-6);
+  EXPECT_EQ(desk.settings.view.main, "depth");
+}
+
+TEST(Sheets, AreAsLargeAsTheirTilesAndGrowWithCaptions) {
+  Desk desk;
+  Sheet sheet{.title = "Title",
+              .caption = "",
+              .tiles = {{View::final, {}, ""}, {View::depth, {}, ""}},
+              .columns = 2,
+              .tile_width = 480};
+  const glm::ivec2 bare = sheet_size(sheet, desk.settings);
+  EXPECT_EQ(bare.x, 2 * 480 + 12 + 2 * 16);
+  sheet.tiles[1].caption = "a caption below the picture";
+  EXPECT_GT(sheet_size(sheet, desk.settings).y, bare.y);
+}
+
+}  // namespace
+}  // namespace gbl::ui

@@ -1,0 +1,46 @@
+#pragma once
+// A real window for a test: an X server of its own, the program in it, keys sent as a user would, and what it did read
+// back from the pictures that F12 saves (they carry the settings).
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/options/settings.h"
+#include "renderer/picture/image.h"
+
+namespace gbl {
+
+struct Figure {
+  Image picture;
+  Settings settings;
+};
+
+class WindowDesk {
+ public:
+  explicit WindowDesk(std::vector<std::string> arguments = {});
+  ~WindowDesk();
+  WindowDesk(const WindowDesk&) = delete;
+
+  bool open() const { return !window_.empty(); }
+  std::string why_not() const { return why_not_; }
+  std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
+  void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
+  void hold(const std::string& key, int milliseconds);
+  Figure figure();                                          // presses F12 and reads the file it saved
+  void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
+
+ private:
+  void start_server();
+  bool server_answers() const;
+  void start_program(const std::vector<std::string>& arguments);
+  std::string find_window() const;
+  void wait_until_drawn();
+  std::filesystem::path folder_;  // the program's working folder
+  std::string display_, window_, why_not_, missing_;
+  int server_ = -1, program_ = -1;
+  int figures_ = 0;
+};
+
+}  // namespace gbl

@@ -1,0 +1,141 @@
+// A real window under Xvfb: every key of the table, sent as a user sends it.
+#include <cctype>
+#include <map>
+
+#include "renderer/lessons/lessons.h"
+#include "renderer/options/options.h"
+#include "renderer/options/presets.h"
+#include "tests/ui/window_desk.h"
+#include "ui/keys.h"
+
+namespace gbl {
+namespace {
+
+#define SKIP_WITHOUT_WINDOW(desk)                                                         \
+  if (!(desk).missing().empty()) GTEST_SKIP() << (desk).missing() << " is not installed"; \
+  ASSERT_TRUE((desk).open()) << (desk).why_not()
+
+std::string xdotool_name(const ui::KeyEvent& e) {
+  static const std::map<std::string, std::string> kNames = {
+      {"[", "bracketleft"}, {"]", "bracketright"}, {",", "comma"},    {".", "period"},
+      {"+", "plus"},        {"-", "minus"},        {"PgUp", "Prior"}, {"PgDn", "Next"},
+      {"Enter", "Return"},  {"Space", "space"},    {"Esc", "Escape"}};
+  const auto named = kNames.find(e.key);
+  return std::string(e.ctrl ? "ctrl+" : "") + (e.shift ? "shift+" : "") +
+         (named == kNames.end() ? e.key : named->second);
+}
+
+// What must be on screen before a key can do anything.
+const std::map<std::string, std::vector<std::string>> kBefore = {
+    {"view.all", {"2"}},
+    {"home", {"c"}},
+    {"lesson.reveal", {"Next", "Return"}},
+    {"close", {"F1"}},
+    {"pixel.nudge", {"ctrl+g", "Return"}},
+};
+
+// Settings but for what a key may leave changed on purpose: the pick is no part of a picture.
+Settings comparable(Settings s) {
+  s.time_s = 0;
+  return s;
+}
+
+TEST(Window, every_key_of_the_table_does_something_and_home_undoes_it) {
+  WindowDesk desk;
+  SKIP_WITHOUT_WINDOW(desk);
+  const Figure start = desk.figure();
+  desk.keep("start", start);
+  for (const ui::KeyRow& row : ui::key_rows()) {
+    if (row.id == "figure") continue;  // every step below presses it
+    if (row.id == "camera") continue;  // held keys: the test below
+    for (const ui::KeyEvent& key : ui::presses_of(row)) {
+      const auto before = kBefore.find(row.id);
+      Figure from = start;
+      if (before != kBefore.end()) {
+        for (const std::string& k : before->second) desk.press(k);
+        from = desk.figure();
+      }
+      desk.press(xdotool_name(key));
+      const Figure now = desk.figure();
+      desk.keep(row.id + "-" + xdotool_name(key), now);
+      EXPECT_FALSE(now.picture == from.picture) << row.id << ": " << xdotool_name(key) << " changed nothing on screen";
+      for (const char* k : {"Escape", "Escape", "Escape", "Home"}) desk.press(k);
+    }
+  }
+  const Figure end = desk.figure();
+  EXPECT_EQ(comparable(end.settings), comparable(start.settings));
+}
+
+TEST(Window, an_axis_key_takes_the_next_row_and_shift_the_one_before) {
+  WindowDesk desk;
+  SKIP_WITHOUT_WINDOW(desk);
+  const Settings start = desk.figure().settings;
+  for (const Option& o : options()) {
+    if (o.kind != Kind::choice || std::string_view(o.key).size() != 1) continue;
+    const std::string key(1, static_cast<char>(std::tolower(o.key[0])));
+    Settings next = start;
+    cycle(o, next, 1, FeatureSet{});
+    desk.press(key);
+    EXPECT_EQ(chosen(o, desk.figure().settings), chosen(o, next)) << o.path;
+    desk.press("shift+" + key);
+    EXPECT_EQ(chosen(o, desk.figure().settings), chosen(o, start)) << o.path;
+  }
+}
+
+double mean_of_main_picture(const Image& screen) {
+  double sum = 0;
+  for (int y = 30; y < 440; ++y)  // below the badge, inside the frame
+    for (int x = 10; x < 790; ++x) {
+      const uint8_t* p = &screen.rgba[4u * (static_cast<size_t>(y) * screen.size.x + x)];
+      sum += p[0] + p[1] + p[2];
+    }
+  return sum / (410.0 * 780 * 3);
+}
+
+TEST(Window, pressing_c_puts_a_pool_of_light_out_and_brings_it_back) {
+  WindowDesk desk;
+  SKIP_WITHOUT_WINDOW(desk);
+  const double start = mean_of_main_picture(desk.figure().picture);
+  desk.press("c");
+  const double back = mean_of_main_picture(desk.figure().picture);
+  desk.press("shift+c");
+  const double again = mean_of_main_picture(desk.figure().picture);
+  EXPECT_LT(back, start - 5) << "of 255: two lights near the camera light half the picture";
+  EXPECT_NEAR(again, start, 1e-9);
+}
+
+TEST(Window, both_lessons_are_given_from_the_keyboard) {
+  const std::vector<std::string> ids = lesson_ids();
+  for (size_t which = 0; which < ids.size(); ++which) {
+    WindowDesk desk({"--lesson", ids[which]});
+    SKIP_WITHOUT_WINDOW(desk);
+    const Lesson lesson = load_lesson(ids[which]);
+    for (size_t step = 0; step < lesson.steps.size(); ++step) {
+      Figure now = desk.figure();
+      Settings expected = settings_at(lesson, step);
+      expected.size = now.settings.size;
+      expected.view = now.settings.view;
+      EXPECT_EQ(now.settings, expected) << ids[which] << " step " << step + 1;
+      if (!lesson.steps[step].answer.empty()) {
+        desk.press("Return");
+        const Figure revealed = desk.figure();
+        EXPECT_FALSE(revealed.picture == now.picture) << "the answer of step " << step + 1;
+        now = revealed;
+      }
+      desk.keep(ids[which] + "-" + std::to_string(step + 1), now);
+      desk.press("Next");
+    }
+  }
+}
+
+TEST(Window, camera_keys_move_while_held) {
+  WindowDesk desk;
+  SKIP_WITHOUT_WINDOW(desk);
+  const Camera before = desk.figure().settings.camera;
+  desk.hold("w", 400);
+  const Camera after = desk.figure().settings.camera;
+  EXPECT_GT(glm::dot(after.position - before.position, before.forward()), 1);
+}
+
+}  // namespace
+}  // namespace gbl
