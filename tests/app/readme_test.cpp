@@ -5,12 +5,13 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "tests/test_paths.h"
 
 namespace gbl {
 namespace {
 
 std::string readme() {
-  std::ifstream file(GBL_ROOT "/README.md");
+  std::ifstream file(test::source_folder() / "README.md");
   EXPECT_TRUE(file);
   std::ostringstream text;
   text << file.rdbuf();

@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/test_paths.h"
+
 namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = GBL_ROOT;
+const fs::path kRoot = test::source_folder();
 
 // The files below a folder that C++ compiles.
 std::vector<fs::path> sources(const std::string& folder) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/test_paths.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -20,7 +21,7 @@ std::string bytes_of(const fs::path& path) {
 
 std::vector<std::string> files_in(const std::string& folder, const std::string& extension) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(fs::path(GBL_ROOT) / folder))
+  for (const auto& entry : fs::directory_iterator(test::source_folder() / folder))
     if (extension.empty() || entry.path().extension() == extension)
       names.push_back(folder + "/" + entry.path().filename().string());
   std::sort(names.begin(), names.end());
@@ -48,7 +49,7 @@ TEST_F(Resources, NamesAreTheFilesOfTheSourceFolder) {
 TEST_F(Resources, EmbeddedBytesAreTheFiles) {
   for (const std::string& name : resource_names("")) {
     if (name.rfind("fonts/", 0) == 0) continue;
-    EXPECT_TRUE(embedded_bytes(name) == bytes_of(fs::path(GBL_ROOT) / name)) << name;
+    EXPECT_TRUE(embedded_bytes(name) == bytes_of(test::source_folder() / name)) << name;
   }
   EXPECT_GT(embedded_bytes("fonts/DejaVuSans.ttf").size(), 100000u);
   EXPECT_EQ(embedded_bytes("fonts/DejaVuSans.ttf").substr(0, 4), std::string_view("\0\1\0\0", 4));  // TrueType
@@ -62,7 +63,7 @@ TEST_F(Resources, WithoutAFolderTheEmbeddedOnesAreRead) {
 }
 
 TEST_F(Resources, TheSourceFolderOverridesByDefault) {
-  EXPECT_EQ(fs::weakly_canonical(before_), fs::weakly_canonical(GBL_ROOT));
+  EXPECT_EQ(fs::weakly_canonical(before_), fs::weakly_canonical(test::source_folder()));
   EXPECT_NE(shaders_stamp(), 0);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gltf/gltf_fixture.h"
+#include "tests/test_paths.h"
 
 namespace gbl::test {
 namespace {
@@ -34,7 +35,7 @@ constexpr Model kModels[] = {
     {"DungeonHall/DungeonHall.gltf", 55724, 10059, 140, 1, 0},
 };
 
-std::filesystem::path models() { return std::filesystem::path(GBL_ROOT).parent_path() / "shared/models"; }
+std::filesystem::path models() { return test::source_folder().parent_path() / "shared/models"; }
 bool absent() { return !std::filesystem::exists(models()); }
 constexpr const char* kAbsent = "no folder of test models beside the project";
 

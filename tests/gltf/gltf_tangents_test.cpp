@@ -2,6 +2,7 @@
 
 #include "renderer/gltf/tangents.h"
 #include "tests/gltf/gltf_fixture.h"
+#include "tests/test_paths.h"
 
 namespace gbl {
 namespace {
@@ -90,7 +91,7 @@ TEST(Tangents, WithoutAreaInUvAnyUnitTangent) {
 
 // Files that bring MikkTSpace's own tangents: ours must be theirs. The renderer never sees the difference.
 TEST(Tangents, AgreeWithThoseInModels) {
-  const std::filesystem::path models = std::filesystem::path(GBL_ROOT).parent_path() / "shared/models";
+  const std::filesystem::path models = test::source_folder().parent_path() / "shared/models";
   if (!std::filesystem::exists(models)) GTEST_SKIP() << "no folder of test models beside the project";
   for (const char* name : {"FlightHelmet/FlightHelmet.gltf", "WaterBottle/WaterBottle.gltf"}) {
     const Scene scene = load_gltf(models / name);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "renderer/options/options.h"
+#include "tests/test_paths.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -22,7 +23,7 @@ void for_each_axis(const std::function<void(const Option&)>& check) {
 }
 
 TEST(Axes, EveryEnumOfTheHeaderIsReachedByAnOption) {
-  std::ifstream header(GBL_ROOT "/renderer/axes.h");
+  std::ifstream header(test::source_folder() / "renderer/options/axes.h");
   int enums = 0;
   for (std::string line; std::getline(header, line);) enums += line.rfind("enum class ", 0) == 0;
   std::set<const ValueRow*> tables;

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "renderer/options/settings_json.h"
+#include "tests/test_paths.h"
 #include "tests/test_support.h"
 
 namespace gbl::test {
@@ -27,8 +28,8 @@ class Program : public ::testing::Test {
 
   // Runs the program; its output and errors are kept. -> exit code
   int run(const std::string& arguments, const std::string& before = "") {
-    const std::string line = before + " \"" GBL_PROGRAM "\" " + arguments + " >\"" + (folder_ / "out").string() +
-                             "\" 2>\"" + (folder_ / "err").string() + "\"";
+    const std::string line = before + " \"" + test::program() + "\" " + arguments + " >\"" +
+                             (folder_ / "out").string() + "\" 2>\"" + (folder_ / "err").string() + "\"";
     return WEXITSTATUS(std::system(line.c_str()));
   }
   std::string text(const char* file) const {
@@ -75,7 +76,7 @@ TEST_F(Program, AKilledStudyKeepsItsRows) {
   const std::string command = spec(60);
   const pid_t child = fork();
   if (child == 0) {
-    const std::string line = "exec \"" GBL_PROGRAM "\" " + command + " >/dev/null 2>&1";
+    const std::string line = "exec \"" + test::program() + "\" " + command + " >/dev/null 2>&1";
     execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
     _exit(127);
   }

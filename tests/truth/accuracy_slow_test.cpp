@@ -2,6 +2,7 @@
 // and four seeded ones.
 #include <algorithm>
 
+#include "tests/test_paths.h"
 #include "tests/truth/accuracy.h"
 
 namespace gbl::test {
@@ -24,7 +25,7 @@ TEST_F(Accuracy, HoldsInEveryBuiltinScene) {
 }
 
 TEST_F(Accuracy, HoldsInEveryModel) {
-  const std::filesystem::path models = std::filesystem::path(GBL_ROOT) / ".." / "shared" / "models";
+  const std::filesystem::path models = test::source_folder() / ".." / "shared" / "models";
   if (!std::filesystem::exists(models)) GTEST_SKIP() << "no folder of models beside the project";
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(models))

@@ -5,6 +5,7 @@
 #include "app/truth_keeper.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/scenes/scene_look.h"
+#include "tests/test_paths.h"
 #include "tests/truth/accuracy.h"
 
 namespace gbl::test {
@@ -58,7 +59,7 @@ class StoredBits : public GlTest {};
 
 // 320 x 180 from each scene's own camera, 64 lights, GGX.
 TEST_F(StoredBits, FewerThanExactHasDoNotDo) {
-  const std::filesystem::path models = std::filesystem::path(GBL_ROOT) / ".." / "shared" / "models";
+  const std::filesystem::path models = test::source_folder() / ".." / "shared" / "models";
   if (!std::filesystem::exists(models))
     GTEST_SKIP() << "no folder of models beside the project: metal and occlusion textures are theirs";
   std::vector<std::string> names;

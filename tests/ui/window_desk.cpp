@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "renderer/options/settings_json.h"
+#include "tests/test_paths.h"
 
 namespace gbl {
 namespace {
@@ -109,10 +110,11 @@ void WindowDesk::start_program(const std::vector<std::string>& arguments) {
   setenv("DISPLAY", display_.c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
   if (chdir(folder_.c_str()) != 0) _exit(127);
-  std::vector<char*> argv = {const_cast<char*>(GBL_PROGRAM), const_cast<char*>("view")};
+  std::string program_file = test::program();
+  std::vector<char*> argv = {program_file.data(), const_cast<char*>("view")};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
-  execv(GBL_PROGRAM, argv.data());
+  execv(program_file.c_str(), argv.data());
   _exit(127);
 }
 
