@@ -1,6 +1,6 @@
 #pragma once
-// Pictures of float texels for the tests, and the one way to compare them: two tolerances and a reason. A difference is
-// written as a PNG below the test's working folder (the build's).
+// Pictures of float texels for the tests, and the one way to compare them: two tolerances and a reason. What
+// fails a test is written as a PNG into the folder `differences` of the build.
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/picture/image.h"
+#include "tests/test_paths.h"
 
 namespace gbl::test {
 
@@ -72,25 +73,41 @@ inline Image difference_image(const Picture& got, const Picture& expected) {
 inline std::filesystem::path write_difference(const Picture& got, const Picture& expected) {
   static int number = 0;
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path folder = std::filesystem::current_path() / "differences";
+  const std::filesystem::path folder = build_folder() / "differences";
   make_folder(folder);
   const auto path = folder / fmt::format("{}.{}.{}.png", test->test_suite_name(), test->name(), ++number);
   write_png(path, difference_image(got, expected));
   return path;
 }
 
-inline ::testing::AssertionResult like(const Picture& got, const Picture& expected, const Tolerance& t) {
+// What tells the two apart beyond the tolerance; empty: nothing.
+inline std::string told_apart(const Picture& got, const Picture& expected, const Tolerance& t) {
   if (got.size != expected.size)
-    return ::testing::AssertionFailure() << fmt::format("{}x{} is not the size {}x{}", got.size.x, got.size.y,
-                                                        expected.size.x, expected.size.y);
+    return fmt::format("{}x{} is not the size {}x{}", got.size.x, got.size.y, expected.size.x, expected.size.y);
   const Difference d = difference(got, expected, t.max_abs);
-  if (double(d.failing) <= t.failing_fraction * double(got.count())) return ::testing::AssertionSuccess();
+  if (double(d.failing) <= t.failing_fraction * double(got.count())) return "";
   const glm::vec4 g = got.texels[d.worst], e = expected.texels[d.worst];
-  return ::testing::AssertionFailure() << fmt::format(
-             "{} of {} texels differ by more than {:g}, the worst by {:g} at ({}, {} from below): ({}, {}, {}, {}) is "
-             "not ({}, {}, {}, {}). The tolerance's reason: {}. Difference: {}",
-             d.failing, got.count(), t.max_abs, d.max_abs, int(d.worst) % got.size.x, int(d.worst) / got.size.x, g.x,
-             g.y, g.z, g.w, e.x, e.y, e.z, e.w, t.why, write_difference(got, expected).string());
+  return fmt::format(
+      "{} of {} texels differ by more than {:g}, the worst by {:g} at ({}, {} from below): ({}, {}, {}, {}) is not "
+      "({}, {}, {}, {}). The tolerance's reason: {}",
+      d.failing, got.count(), t.max_abs, d.max_abs, int(d.worst) % got.size.x, int(d.worst) / got.size.x, g.x, g.y, g.z,
+      g.w, e.x, e.y, e.z, e.w, t.why);
+}
+
+// For pictures that must agree: a difference is written as a picture. Where one is expected, ask `unlike`.
+inline ::testing::AssertionResult like(const Picture& got, const Picture& expected, const Tolerance& t) {
+  const std::string difference = told_apart(got, expected, t);
+  if (difference.empty()) return ::testing::AssertionSuccess();
+  auto failure = ::testing::AssertionFailure() << difference;
+  if (got.size == expected.size) failure << ". Difference: " << write_difference(got, expected).string();
+  return failure;
+}
+
+// For pictures that must differ; writes nothing.
+inline ::testing::AssertionResult unlike(const Picture& got, const Picture& expected, const Tolerance& t) {
+  const std::string difference = told_apart(got, expected, t);
+  if (!difference.empty()) return ::testing::AssertionSuccess() << difference;
+  return ::testing::AssertionFailure() << fmt::format("nothing differs by more than {:g}", t.max_abs);
 }
 
 // Not one bit differs (NaNs and the sign of 0 included).

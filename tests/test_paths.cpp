@@ -3,6 +3,7 @@
 namespace gbl::test {
 
 std::filesystem::path source_folder() { return GBL_ROOT; }
-std::string program() { return GBL_PROGRAM; }
+std::filesystem::path build_folder() { return GBL_BUILD; }
+std::string program() { return (build_folder() / "gbufferlab").string(); }
 
 }  // namespace gbl::test

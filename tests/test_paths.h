@@ -1,5 +1,5 @@
 #pragma once
-// Where the source folder and the program stand. Functions, so that no test is compiled with a path in its command line
+// Where the source folder, the build folder and the program stand. Functions, so that no test is compiled with a path in its command line
 // (a compiler cache would know it in one folder alone).
 #include <filesystem>
 #include <string>
@@ -7,6 +7,7 @@
 namespace gbl::test {
 
 std::filesystem::path source_folder();
-std::string program();  // the built gbufferlab
+std::filesystem::path build_folder();  // what a test leaves behind belongs below it
+std::string program();                 // the built gbufferlab
 
 }  // namespace gbl::test

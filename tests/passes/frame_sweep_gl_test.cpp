@@ -246,7 +246,7 @@ TEST_F(FrameSweep, TenMillionUnitsFromTheOriginThePictureIsTheSame) {
   // double holds 1e7 to 2e-9: a few edges of triangles fall on the other side of a pixel's centre, no more.
   EXPECT_TRUE(like(there.lit(far), expected, {.max_abs = 1e-4, .failing_fraction = 1e-3, .why = "edge pixels"}));
   far.position.reconstruct = PositionReconstruct::inverse_viewproj;  // float world positions: the pitfall
-  EXPECT_FALSE(like(there.lit(far), expected, {.max_abs = 1e-2, .failing_fraction = 1e-2}));
+  EXPECT_TRUE(unlike(there.lit(far), expected, {.max_abs = 1e-2, .failing_fraction = 1e-2}));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST_F(Shaders, ABrokenIncludeIsNamedAndTheOldPictureStays) {
   // Files that are included at the first line, in the middle of others, and a file of its own.
   for (const auto& [name, mark] : {std::pair("shaders/shade.glsl", "Lighting shade("),
                                    {"shaders/colour.glsl", "#else"},
-                                   {"shaders/position.glsl", "vec3 position_of("},
+                                   {"shaders/position.glsl", "vec3 position_from_depth("},
                                    {"shaders/combine.frag", "void main"}}) {
     const int line = copy.insert(name, mark, "this is no GLSL;");
     const std::string error = reload_error(stage.renderer);
@@ -57,7 +57,13 @@ TEST_F(Shaders, AChangedShaderIsSeenAfterReloadAndNotBefore) {
   copy.insert("shaders/shade.glsl", "vec3 arriving", "  light.colour *= 0.5;");
   EXPECT_TRUE(same_bits(stage.lit(s), before));
   EXPECT_EQ(reload_error(stage.renderer), "");
-  EXPECT_FALSE(like(stage.lit(s), before, {.max_abs = 0.01}));
+  EXPECT_TRUE(unlike(stage.lit(s), before, {.max_abs = 0.01}));
+}
+
+// A mark that has gone from the shader must not break another place without a word.
+TEST_F(Shaders, ACopyRefusesAMarkThatTheShaderDoesNotHold) {
+  ShaderCopy copy;
+  EXPECT_THROW(copy.insert("shaders/shade.glsl", "no such mark", "this is no GLSL;"), std::invalid_argument);
 }
 
 // A variant that was never needed before does not compile: the Error comes from the frame, the next good frame is right.
