@@ -4,20 +4,20 @@
 
 #include "renderer/lessons/lessons.h"
 #include "renderer/options/options.h"
-#include "tests/gl_fixture.h"
+#include "tests/pitfalls/judged.h"
 
 namespace gbl::test {
 namespace {
 
 class MethodPitfalls : public GlTest {};
 
-constexpr float kSeen = 1.0f / 255;  // less light than this is not missed by anybody
+constexpr double kSeen = 1.0 / 255;  // less light than this is not missed by anybody
 
 struct Score {
-  int lit = 0;      // pixels that the full-screen loop lights visibly
+  int lit = 0;      // pixels that are lit visibly by the reference
   int lost = 0;     // of these, with less than half the light
-  int doubled = 0;  // with exactly twice the light
-  int other = 0;    // with neither that nor the same light, to float rounding
+  int doubled = 0;  // with twice the light
+  int other = 0;    // with neither that nor the same light, to what float32 leaves of both
   bool right() const { return lit > 0 && lost == 0 && doubled == 0 && other == 0; }
   bool all_lost() const { return lit > 0 && lost == lit; }
   bool all_doubled() const { return lit > 0 && doubled == lit; }
@@ -28,26 +28,31 @@ std::ostream& operator<<(std::ostream& out, const Score& s) {
                             s.other);
 }
 
-// These settings against the full-screen loop; the light alone, summed in float.
+constexpr double kFloat32 = 0.01;  // relative, float32 against double: 0.005 where light grazes, mostly 1e-5
+
+// These settings against the reference; the light alone, stored and summed in float32.
 Score score(const Settings& settings, const GpuScene& scene) {
   Settings s = light_alone(settings);
   s.size = {160, 90};
   s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
+  s.layout = Layout::float32;
+  s.normal.encoding = NormalEncoding::xyz32f;
+  s.position.source = PositionSource::view32f;
+  const std::vector<glm::dvec3>& truth = truth_of(s, scene)->truth.lit;
   Stage& stage = shared_stage(scene);
-  const Picture got = stage.lit(s);
-  s.lights.method = LightMethod::fullscreen;
-  const Picture reference = stage.lit(s);
+  stage.draw(s);
+  const std::vector<glm::vec3> got = read_lit(stage.targets);
   Score out;
-  for (size_t i = 0; i < got.count(); ++i) {
-    const glm::vec3 g = got.texels[i], r = reference.texels[i];
-    if (std::max({r.x, r.y, r.z}) <= kSeen) continue;
+  for (size_t i = 0; i < got.size(); ++i) {
+    const glm::dvec3 g = got[i], t = truth[i];
+    if (std::max({t.x, t.y, t.z}) <= kSeen) continue;
     ++out.lit;
-    const float ratio = (g.x + g.y + g.z) / (r.x + r.y + r.z);
-    if (ratio < 0.5f)
+    const double ratio = (g.x + g.y + g.z) / (t.x + t.y + t.z);
+    if (ratio < 0.5)
       ++out.lost;
-    else if (g == 2.0f * r)
+    else if (std::abs(ratio - 2) < 2 * kFloat32)
       ++out.doubled;
-    else if (std::abs(ratio - 1) > 1e-5f)
+    else if (std::abs(ratio - 1) > kFloat32)
       ++out.other;
   }
   return out;

@@ -5,68 +5,34 @@
 #include "renderer/options/options.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/pitfalls/mistakes.h"
-#include "tests/gl_fixture.h"
+#include "tests/pitfalls/judged.h"
 
 namespace gbl::test {
 namespace {
 
 class SurfacePitfalls : public GlTest {};
 
-Settings raw_normals(const GpuScene& scene) {
-  Settings s = settings_for(scene);
+// Everything that is stored is stored in float32: what is left of an error is the failure's.
+Settings exact_settings(const GpuScene& scene, glm::ivec2 size = {160, 90}) {
+  Settings s = settings_for(scene, size);
+  s.layout = Layout::float32;
   s.normal.encoding = NormalEncoding::xyz32f;
+  s.position.source = PositionSource::view32f;
   return s;
 }
 
-Picture stored_normals(const Settings& s, const GpuScene& scene) {
+// Lengths of the normals as they are stored: of no concern to the reference, whose normals are unit by definition, so a
+// proof by length compares with 1.
+std::vector<double> stored_lengths(const Settings& s, const GpuScene& scene) {
   Stage& stage = shared_stage(scene);
   stage.draw(s);
-  return picture_of(*stage.targets.texture(Stores::normal));
-}
-
-bool surface(const glm::vec4& n) { return glm::dot(glm::vec3(n), glm::vec3(n)) > 0; }
-
-// Mean angle between two settings' stored normals, degrees.
-double mean_angle(const Settings& a, const Settings& b, const GpuScene& scene) {
-  const Picture x = stored_normals(a, scene), y = stored_normals(b, scene);
-  double sum = 0;
-  int n = 0;
-  for (size_t i = 0; i < x.count(); ++i) {
-    if (!surface(x.texels[i]) || !surface(y.texels[i])) continue;
-    const glm::vec3 u = glm::normalize(glm::vec3(x.texels[i])), v = glm::normalize(glm::vec3(y.texels[i]));
-    sum += glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
-    ++n;
-  }
-  return n > 0 ? sum / n : -1;
-}
-
-// Stored normals whose length is off by more than a hundredth.
-int odd_lengths(const Settings& s, const GpuScene& scene) {
-  int odd = 0;
-  for (const glm::vec4& n : stored_normals(s, scene).texels)
-    odd += surface(n) && std::abs(glm::length(glm::vec3(n)) - 1) > 0.01f;
-  return odd;
-}
-
-// Pixels where `a` is brighter than `b` by more than 1/255 in some channel; negative: darker.
-struct Compared {
-  int brighter = 0, darker = 0;
-};
-Compared compared(const Settings& a, const Settings& b, const GpuScene& scene) {
-  Stage& stage = shared_stage(scene);
-  const auto shown = [&](const Settings& s) {
-    stage.draw(s);
-    return picture_of(stage.targets.shown());
-  };
-  const Picture x = shown(a), y = shown(b);
-  Compared out;
-  for (size_t i = 0; i < x.count(); ++i) {
-    const glm::vec3 d(x.texels[i] - y.texels[i]);
-    out.brighter += std::max({d.x, d.y, d.z}) > 1.0f / 255;
-    out.darker += std::min({d.x, d.y, d.z}) < -1.0f / 255;
-  }
+  std::vector<double> out;
+  for (const glm::vec4& n : picture_of(*stage.targets.texture(Stores::normal)).texels)
+    if (const double length = glm::length(glm::dvec3(n)); length > 0) out.push_back(length);
   return out;
 }
+
+double mean_angle(const Settings& s, const GpuScene& scene) { return errors_of(s, scene).normal_deg_mean.value(); }
 
 // A ball squashed to a quarter of its height.
 const GpuScene& squashed() {
@@ -83,36 +49,16 @@ const GpuScene& grove() {
   static const GpuScene scene(std::make_shared<const Scene>(build_grove()));
   return scene;
 }
-const GpuScene& grid() {
-  static const GpuScene scene(std::make_shared<const Scene>(build_grid()));
-  return scene;
-}
 
-Settings grove_settings() {
+Settings grove_settings(Tangents tangents) {
   Settings s = preset("viewspace-fixed").make();
   s.size = {160, 90};
   s.layout = Layout::float32;
+  s.normal = {NormalEncoding::xyz32f, NormalSpace::world};
   s.background.skip = BackgroundSkip::depth;
   s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
+  s.tangents = tangents;
   return s;
-}
-
-// Where the lighting takes the surface to be: the largest distance between the two settings' positions.
-double largest_distance(const Settings& a, const Settings& b) {
-  Stage& stage = shared_stage(terrain());
-  const auto positions = [&](const Settings& s) {
-    std::vector<glm::dvec3> out;
-    stage.draw(s);
-    for (int x = 44; x < s.size.x - 40; x += 8) {  // on the ground, some hundred to a few thousand units away
-      stage.renderer.start_probe(s, terrain(), stage.targets, {x, s.size.y * 65 / 100});
-      out.push_back((*stage.renderer.take_probe(stage.targets, true))[2]);
-    }
-    return out;
-  };
-  const std::vector<glm::dvec3> x = positions(a), y = positions(b);
-  double largest = 0;
-  for (size_t i = 0; i < x.size(); ++i) largest = std::max(largest, glm::distance(x[i], y[i]));
-  return largest;
 }
 
 Settings with(Settings s, const char* mistake) {
@@ -120,52 +66,52 @@ Settings with(Settings s, const char* mistake) {
   return s;
 }
 
-// The number that the failure is known by: of the broken settings, and of the mended ones.
+// The number that the failure is known by, of the broken settings and of the fixed ones, and what each must keep.
 struct Proof {
-  double broken, mended;
-  double at_least;  // the broken one's, by the catalogue
+  double broken, fixed;
+  double at_least;  // the broken one's
+  double at_most;   // the fixed one's: what the truth leaves to float32, or to the format that the proof needs
 };
 
 Proof background_shaded() {
-  Settings s = settings_for(yard());
-  Settings broken = s;
-  broken.background.skip = BackgroundSkip::none;
-  const auto lit_background = [](const Settings& drawn) {
-    Stage& stage = shared_stage(yard());
-    const Picture p = stage.lit(drawn);
-    int n = 0;
-    for (int y = p.size.y - 4; y < p.size.y; ++y)  // the top rows: sky
-      for (int x = 0; x < p.size.x; ++x) n += p.texels[size_t(y) * p.size.x + x] != glm::vec4(0.2f, 0.2f, 0.2f, 0);
-    return n;
+  const auto lit_background = [](BackgroundSkip skip) {
+    Settings s = exact_settings(yard());
+    s.background.skip = skip;
+    return errors_of(s, yard()).background_lit_pixels.value();
   };
-  return {double(lit_background(broken)), double(lit_background(s)), 600};
+  return {lit_background(BackgroundSkip::none), lit_background(BackgroundSkip::depth), 600, 0};
 }
 
 Proof tangents() {
-  Settings s = grove_settings();
-  s.normal = {NormalEncoding::xyz32f, NormalSpace::world};
-  Settings broken = s;
-  broken.tangents = Tangents::matrix_columns;
-  Settings derived = s;
-  derived.tangents = Tangents::derivatives;
-  return {mean_angle(broken, s, grove()), mean_angle(derived, s, grove()), 1};
+  return {mean_angle(grove_settings(Tangents::matrix_columns), grove()),
+          mean_angle(grove_settings(Tangents::vertex), grove()), 1, 1e-3};
 }
 
 Proof resolved_samples() {
-  Settings s = raw_normals(yard());
-  Settings broken = s;
-  broken.antialias = Antialias::msaa_resolved;
-  return {double(odd_lengths(broken, yard())), double(odd_lengths(s, yard())), 50};
+  const auto odd_lengths = [](Antialias antialias) {
+    Settings s = exact_settings(yard());
+    s.antialias = antialias;
+    double odd = 0;
+    for (const double length : stored_lengths(s, yard())) odd += std::abs(length - 1) > 0.01;
+    return odd;
+  };
+  return {odd_lengths(Antialias::msaa_resolved), odd_lengths(Antialias::none), 50, 0};
 }
 
-// One matrix for all pixels, or one that interpolation rounds anew at each: the same depth gives two positions.
+// Mean distance from the true point, with depth stored so well that the matrix is what is left: the fix is a view ray.
+// Against one float inverse for all pixels the noise of the varyings is small (0.00068 for 0.00050), and with a worse
+// depth it drowns: the reference shows that the inverse itself is the larger part of this failure.
 Proof inverse_varying() {
-  Settings uniform = settings_for(terrain(), {320, 180});
-  uniform.camera = preset("nclgl").make().camera;
-  uniform.position.reconstruct = PositionReconstruct::inverse_viewproj;
-  Settings varying = uniform;
-  varying.position.reconstruct = PositionReconstruct::inverse_viewproj_varying;
-  return {largest_distance(varying, uniform), largest_distance(uniform, uniform), 0.01};
+  const auto mean_distance = [](PositionReconstruct reconstruct) {
+    Settings s = settings_for(terrain(), {320, 180});
+    s.depth.format = DepthFormat::d32f_reversed;
+    s.position.reconstruct = reconstruct;
+    return errors_of(s, terrain()).position_mean.value();
+  };
+  const double varying = mean_distance(PositionReconstruct::inverse_viewproj_varying);
+  EXPECT_GT(varying, 1.2 * mean_distance(PositionReconstruct::inverse_viewproj))
+      << "interpolation adds noise of its own";
+  return {varying, mean_distance(PositionReconstruct::view_ray), 6e-4, 3e-4};
 }
 
 const std::map<std::string, std::function<Proof()>>& row_proofs() {
@@ -178,82 +124,96 @@ const std::map<std::string, std::function<Proof()>>& row_proofs() {
   return proofs;
 }
 
+// ---- mistakes ----------------------------------------------------------------------------------------------
+
+Proof tilted_normals(const char* mistake, const GpuScene& scene, double at_least) {
+  const Settings s = exact_settings(scene);
+  return {mean_angle(with(s, mistake), scene), mean_angle(s, scene), at_least, 1e-3};
+}
+
+// Triangles of some degrees only: the deficit is small, but it is there; a unit normal is one to 1e-6.
+Proof short_normals() {
+  Settings s = exact_settings(terrain());
+  s.normal_map = NormalMap::off;
+  const auto deficit = [](const Settings& drawn) {
+    const std::vector<double> lengths = stored_lengths(drawn, terrain());
+    return 1 - *std::min_element(lengths.begin(), lengths.end());
+  };
+  return {deficit(with(s, "interpolated-not-normalised")), deficit(s), 1e-4, 1e-6};
+}
+
+// Alpha is roughness there.
+Proof blended_fill() {
+  Settings s = settings_for(yard());
+  const Compared c = against_truth(with(s, "blend-on-in-fill"), yard()), f = against_truth(s, yard());
+  return {double(c.darker), double(f.both()), 1000, 0};
+}
+
+// Codes of 8 bits are off in direction, too: by up to 4 codes of the picture; their lengths add more.
+Proof lengths_of_codes() {
+  Settings s = exact_settings(yard(), {320, 180});
+  s.normal.encoding = NormalEncoding::xyz8;
+  s.shading = {ShadingModel::blinn_phong, 256, 1};
+  const Compared c = against_truth(with(s, "decode-not-normalised"), yard(), 4), f = against_truth(s, yard(), 4);
+  return {double(c.both()), double(f.both()), 20, 0};
+}
+
+Proof ungated_highlights() {
+  Settings s = exact_settings(yard());
+  s.shading = {ShadingModel::phong, 4, 0.5};
+  const Compared c = against_truth(with(s, "specular-ungated"), yard()), f = against_truth(s, yard());
+  EXPECT_LE(c.darker, f.darker) << "it only ever adds light";
+  return {double(c.brighter), double(f.both()), 50, 0};
+}
+
+Proof discs_of_light() {
+  Settings s = exact_settings(yard());
+  s.lights.count = 16;
+  s.attenuation = Attenuation::none;
+  const Compared c = against_truth(with(s, "volume-without-distance-test"), yard()), f = against_truth(s, yard());
+  EXPECT_LE(c.darker, f.darker) << "it only ever adds light";
+  return {double(c.brighter), double(f.both()), 200, 0};
+}
+
+Proof short_range() {
+  Settings s = exact_settings(yard());
+  s.attenuation = Attenuation::ramp;
+  s.range.kind = RangeKind::threshold;
+  const Compared c = against_truth(with(s, "range-shortcut"), yard()), f = against_truth(s, yard());
+  EXPECT_LE(c.brighter, f.brighter) << "it only ever loses light";
+  return {double(c.darker), double(f.both()), 200, 0};
+}
+
+// The reference has no markers of lights, so none may be seen: the light stands behind the wall that fills the picture.
+Proof markers_through_a_wall() {
+  Settings s = exact_settings(yard());
+  s.lights.markers = LightMarkers::on;
+  s.lights.count = 1;
+  s.camera.position = {20, 2, -4};
+  s.camera.orientation = orientation_from_yaw_pitch(180, 0);
+  s.camera.fov = 30;
+  const Compared c = against_truth(with(s, "forward-without-depth"), yard()), f = against_truth(s, yard());
+  return {double(c.both()), double(f.both()), 50, 0};
+}
+
 const std::map<std::string, std::function<Proof()>>& mistake_proofs() {
   static const std::map<std::string, std::function<Proof()>> proofs = {
-      {"tbn-precedence",
-       [] {
-         const Settings s = raw_normals(terrain());
-         return Proof{mean_angle(with(s, "tbn-precedence"), s, terrain()), 0, 1};
-       }},
-      {"interpolated-not-normalised",
-       [] {
-         Settings s = raw_normals(terrain());
-         s.normal_map = NormalMap::off;
-         // Triangles of some degrees only: the deficit is small, but it is there; a unit normal is one to 1e-6.
-         const auto shortest = [](const Settings& drawn) {
-           float least = 1;
-           for (const glm::vec4& n : stored_normals(drawn, terrain()).texels)
-             if (surface(n)) least = std::min(least, glm::length(glm::vec3(n)));
-           return 1 - double(least);
-         };
-         return Proof{shortest(with(s, "interpolated-not-normalised")), shortest(s), 1e-4};
-       }},
-      {"nonuniform-scale-normal",
-       [] {
-         const Settings s = raw_normals(squashed());
-         return Proof{mean_angle(with(s, "nonuniform-scale-normal"), s, squashed()), 0, 0.3};
-       }},
-      {"blend-on-in-fill",
-       [] {
-         const Settings s = settings_for(yard());  // alpha is roughness there
-         const Compared c = compared(with(s, "blend-on-in-fill"), s, yard());
-         return Proof{double(c.darker), double(compared(s, s, yard()).darker), 1000};
-       }},
-      {"decode-not-normalised",
-       [] {
-         Settings s = settings_for(yard());
-         s.normal.encoding = NormalEncoding::xyz8;
-         s.shading = {ShadingModel::blinn_phong, 256, 1};
-         const Compared c = compared(with(s, "decode-not-normalised"), s, yard());
-         return Proof{double(c.brighter + c.darker), 0, 20};
-       }},
-      {"specular-ungated",
-       [] {
-         Settings s = settings_for(yard());
-         s.shading = {ShadingModel::phong, 4, 0.5};
-         const Compared c = compared(with(s, "specular-ungated"), s, yard());
-         return Proof{double(c.brighter), double(c.darker), 50};  // it only ever adds light
-       }},
-      {"volume-without-distance-test",
-       [] {
-         Settings s = settings_for(yard());
-         s.lights.count = 16;
-         s.attenuation = Attenuation::none;
-         const Compared c = compared(with(s, "volume-without-distance-test"), s, yard());
-         return Proof{double(c.brighter), double(c.darker), 200};
-       }},
-      {"range-shortcut",
-       [] {
-         Settings s = settings_for(yard());
-         s.attenuation = Attenuation::ramp;
-         s.range.kind = RangeKind::threshold;
-         const Compared c = compared(with(s, "range-shortcut"), s, yard());
-         return Proof{double(c.darker), double(c.brighter), 200};
-       }},
-      {"forward-without-depth",
-       [] {
-         Settings s = preset("learnopengl-fixed").make();
-         s.size = {160, 90};
-         const Compared c = compared(with(s, "forward-without-depth"), s, grid());
-         return Proof{double(c.brighter + c.darker), 0, 20};
-       }},
+      {"tbn-precedence", [] { return tilted_normals("tbn-precedence", terrain(), 1); }},
+      {"interpolated-not-normalised", short_normals},
+      {"nonuniform-scale-normal", [] { return tilted_normals("nonuniform-scale-normal", squashed(), 0.3); }},
+      {"blend-on-in-fill", blended_fill},
+      {"decode-not-normalised", lengths_of_codes},
+      {"specular-ungated", ungated_highlights},
+      {"volume-without-distance-test", discs_of_light},
+      {"range-shortcut", short_range},
+      {"forward-without-depth", markers_through_a_wall},
   };
   return proofs;
 }
 
 void expect_proof(const std::string& name, const Proof& p) {
   EXPECT_GE(p.broken, p.at_least) << name;
-  EXPECT_LT(p.mended, 0.2 * p.broken) << name << ": the mended settings must not fail, too";
+  EXPECT_LE(p.fixed, p.at_most) << name << ": the fixed settings must not fail, too";
 }
 
 TEST_F(SurfacePitfalls, EveryUnsoundRowHasAProof) {
@@ -279,8 +239,7 @@ TEST_F(SurfacePitfalls, EveryMistakeHasAProof) {
 
 // The headline bug is invisible on flat ground: turning (1, 1, 1) gives (1, 1, 1) there.
 TEST_F(SurfacePitfalls, TbnPrecedenceIsHiddenByGroundWithoutANormalMap) {
-  const Settings s = raw_normals(yard());
-  EXPECT_EQ(mean_angle(with(s, "tbn-precedence"), s, yard()), 0);
+  EXPECT_LE(mean_angle(with(exact_settings(yard()), "tbn-precedence"), yard()), 1e-3);
 }
 
 }  // namespace
