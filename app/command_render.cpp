@@ -10,6 +10,7 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/report_json.h"
+#include "renderer/base/size_text.h"
 #include "renderer/frame/packing_svg.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
@@ -88,7 +89,7 @@ std::string cull_in_words(const Settings& s) {
 std::string in_words(const Settings& s, const FrameReport& r) {
   const Preset* p = preset_of(s);
   std::string text =
-      fmt::format("{} · {}x{} · {} lights, {}{} · normal {} · {} + {} B/px", p ? p->label : s.scene, s.size.x, s.size.y,
+      fmt::format("{} · {} · {} lights, {}{} · normal {} · {} + {} B/px", p ? p->label : s.scene, size_text(s.size),
                   r.light_count, method_in_words(r), cull_in_words(s), row(s.normal.encoding).label,
                   r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
   if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)

@@ -1,8 +1,8 @@
-#include <charconv>
 #include <fmt/format.h>
 #include <sstream>
 
 #include "app/commands.h"
+#include "renderer/base/size_text.h"
 #include "renderer/light/rig.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
@@ -50,14 +50,10 @@ void apply_camera(Settings& s, const std::string& text) {
 }
 
 void apply_size(Settings& s, const std::string& text) {
-  int width = 0, height = 0;
-  const char* end = text.data() + text.size();
-  const auto x = std::from_chars(text.data(), end, width);
-  const bool cross = x.ec == std::errc() && x.ptr != end && *x.ptr == 'x';
-  const auto y = cross ? std::from_chars(x.ptr + 1, end, height) : x;
-  if (!cross || y.ec != std::errc() || y.ptr != end)
+  const std::optional<glm::ivec2> size = size_of(text);
+  if (!size)
     throw Error(ExitCode::bad_input, "--size", fmt::format("'{}' is not a size", text), "write WxH, e.g. 1280x720");
-  apply_patch(s, {{"size", {width, height}}}, "--size");
+  apply_patch(s, {{"size", {size->x, size->y}}}, "--size");
 }
 
 Settings read_state(const std::string& file) {

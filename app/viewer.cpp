@@ -4,6 +4,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/resources.h"
+#include "renderer/base/size_text.h"
 
 namespace gbl {
 namespace {
@@ -26,9 +27,8 @@ Settings Viewer::affordable(const Settings& s, bool moving) {
   const double predicted = lab_.cost().predict_ms(s, lights);
   if (moving && predicted > kMovingBudgetMs && lab_.device().software) out.size = glm::max(s.size / 2, glm::ivec2(1));
   const glm::ivec2 size = lab_.cost().affordable_size(out, lights, kStillBudgetMs);
-  banner_ = size == out.size
-                ? ""
-                : fmt::format("predicted {:.1f} s a frame: drawn at {}x{}", predicted / 1000, size.x, size.y);
+  banner_ =
+      size == out.size ? "" : fmt::format("predicted {:.1f} s a frame: drawn at {}", predicted / 1000, size_text(size));
   out.size = size;
   return out;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/size_text.h"
 #include "renderer/gbuffer/gbuffer_layout.h"
 #include "renderer/options/options.h"
 
@@ -103,8 +104,8 @@ std::vector<Problem> validate(const Settings& s, const DeviceLimits& limits) {
   check_gbuffer(s, limits, out);
   if (s.size.x > limits.max_size || s.size.y > limits.max_size)
     out.push_back({ProblemId::size_above_limit, "size",
-                   fmt::format("{}x{} is above this driver's limit of {} a side; choose a smaller size", s.size.x,
-                               s.size.y, limits.max_size)});
+                   fmt::format("{} is above this driver's limit of {} a side; choose a smaller size", size_text(s.size),
+                               limits.max_size)});
   if (!(s.camera.far > s.camera.near))
     out.push_back({ProblemId::far_not_beyond_near, "camera.far",
                    fmt::format("{:g} is not beyond camera.near {:g}; make it larger", s.camera.far, s.camera.near)});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/base/size_text.h"
+
 namespace gbl {
 namespace {
 
@@ -59,7 +61,7 @@ StudySpec study_here(const StudySpec& spec, const Settings& now, glm::ivec2 size
   const std::vector<std::string> varied = varied_truth(spec);
   for (const Option& o : options()) {
     if (o.group != Group::truth || contains(varied, o.path)) continue;
-    const Json value = std::string_view(o.path) == "size" ? Json(fmt::format("{}x{}", size.x, size.y)) : o.get(now);
+    const Json value = std::string_view(o.path) == "size" ? Json(size_text(size)) : o.get(now);
     here.base.push_back({o.path, checked_value(o.path, value)});
   }
   return here;

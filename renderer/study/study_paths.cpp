@@ -1,11 +1,11 @@
 #include "renderer/study/study_paths.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/size_text.h"
 #include "renderer/options/presets.h"
 #include "renderer/scenes/scene_look.h"
 #include "renderer/study/stability/seeded_camera.h"
@@ -71,20 +71,14 @@ void apply_seed(Settings& s, const Json& v, SceneCache& scenes) {
 // "640x360" or [640, 360] -> [640, 360].
 Json size_array(const Json& v) {
   if (!v.is_string()) return checked_option(option("size"), v);
-  const auto text = v.get<std::string>();
-  const char* end = text.data() + text.size();
-  int width = 0, height = 0;
-  const auto x = std::from_chars(text.data(), end, width);
-  const bool cross = x.ec == std::errc() && x.ptr != end && *x.ptr == 'x';
-  const auto y = cross ? std::from_chars(x.ptr + 1, end, height) : x;
-  if (!cross || y.ec != std::errc() || y.ptr != end) bad_value("size", v, "a size such as \"640x360\"");
-  return checked_option(option("size"), {width, height});
+  const std::optional<glm::ivec2> size = size_of(v.get<std::string>());
+  if (!size) bad_value("size", v, "a size such as \"640x360\"");
+  return checked_option(option("size"), {size->x, size->y});
 }
-Json size_text(const Settings& s) { return fmt::format("{}x{}", s.size.x, s.size.y); }
 Json checked_size(const Json& v) {
   Settings scratch;
   set(scratch, "size", size_array(v));
-  return size_text(scratch);
+  return size_text(scratch.size);
 }
 void apply_size(Settings& s, const Json& v, SceneCache&) { set(s, "size", size_array(v)); }
 
@@ -94,7 +88,7 @@ constexpr StudyPath kPaths[] = {
     {"scene", "with its camera, lights and look", checked_scene, apply_scene_by_name, [](const Settings& s) { return Json(s.scene); }},
     {"lights", "how many are generated", checked_lights, apply_lights, [](const Settings& s) { return Json(s.lights.count); }},
     {"camera.seed", "0: as set; k: the k-th seeded camera", checked_seed, apply_seed, [](const Settings&) { return Json(0); }},
-    {"size", "\"WIDTHxHEIGHT\" or [WIDTH, HEIGHT]", checked_size, apply_size, size_text},
+    {"size", "\"WIDTHxHEIGHT\" or [WIDTH, HEIGHT]", checked_size, apply_size, [](const Settings& s) { return Json(size_text(s.size)); }},
 };
 // clang-format on
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "renderer/base/size_text.h"
 #include "renderer/options/settings_json.h"
 
 namespace gbl {
@@ -47,7 +48,7 @@ bool measured_enough(int frames, double seconds, double slowest_s) {
 }
 
 void append_costs(Json& row, const FrameReport& r, const Machine& machine) {
-  row["size"] = fmt::format("{}x{}", r.size.x, r.size.y);
+  row["size"] = size_text(r.size);
   row["time_source"] = r.time_source;
   row["pairs_tested"] = r.pairs ? Json(r.pairs->tested) : Json(nullptr);
   row["pairs_shaded"] = r.pairs ? Json(r.pairs->shaded) : Json(nullptr);
