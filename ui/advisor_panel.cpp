@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/base/size_text.h"
 #include "ui/commands.h"
 #include "ui/side_panel.h"
 
@@ -11,7 +12,7 @@ namespace {
 constexpr double kLeastCodes = 0.125, kMostCodes = 16;
 constexpr double kShareOver = 0.001;
 
-const AdvisorInput& advisor_input(const Frame& f) {
+const AdvisorInput& advisor_input(const FrameContext& f) {
   static const AdvisorInput kNone;
   return f.input.advisor ? *f.input.advisor : kNone;
 }
@@ -19,19 +20,19 @@ const AdvisorInput& advisor_input(const Frame& f) {
 ErrorBudget budget_of(const AdvisorState& s) { return {s.codes / 255, s.every_pixel ? 0 : kShareOver}; }
 
 // ---- keys ----------------------------------------------------------------------------------------------------------
-void step_codes(Frame& f, const KeyEvent& e) {
+void step_codes(FrameContext& f, const KeyEvent& e) {
   double& codes = f.state.advisor.codes;
   codes = std::clamp(codes * (e.key == "[" ? 0.5 : 2), kLeastCodes, kMostCodes);
 }
 
-void toggle_pixels(Frame& f, const KeyEvent&) { f.state.advisor.every_pixel = !f.state.advisor.every_pixel; }
+void toggle_pixels(FrameContext& f, const KeyEvent&) { f.state.advisor.every_pixel = !f.state.advisor.every_pixel; }
 
-void step_cost(Frame& f, const KeyEvent& e) {
+void step_cost(FrameContext& f, const KeyEvent& e) {
   const size_t n = std::size(kAdviceCosts);
   f.state.advisor.cost = (f.state.advisor.cost + (e.shift ? n - 1 : 1)) % n;
 }
 
-void run_or_stop(Frame& f, const KeyEvent&) {
+void run_or_stop(FrameContext& f, const KeyEvent&) {
   AdvisorState& s = f.state.advisor;
   s.stop = advisor_input(f).running, s.run = !s.stop;
   if (s.run) s.first = 0;
@@ -43,14 +44,14 @@ void apply_method(Settings& s, const Settings& from) {
     if (o.group == Group::method) o.set(s, o.get(from), o);
 }
 
-void apply_advice(Frame& f, const KeyEvent& e) {
+void apply_advice(FrameContext& f, const KeyEvent& e) {
   const std::optional<Advice>& a = advisor_input(f).advice;
   const std::optional<AdvisedSetup>& wanted = !a ? std::nullopt : e.shift ? a->runner_up : a->best;
   if (!wanted) return say(f, {a ? "There is no such set-up." : "There is no advice yet: R looks for it.", ""});
   edit(f, [&](Settings& s) { apply_method(s, wanted->settings); });
 }
 
-void scroll(Frame& f, const KeyEvent& e) {
+void scroll(FrameContext& f, const KeyEvent& e) {
   AdvisorState& s = f.state.advisor;
   const std::optional<Advice>& a = advisor_input(f).advice;
   const size_t by = std::max<size_t>(1, s.shown), n = a ? a->left_out.size() : 0;
@@ -107,7 +108,7 @@ std::string proof_words(const Tried& t) {
 }
 
 // ---- panel ---------------------------------------------------------------------------------------------------------
-void draw_head(Frame& f, Painter& p, Box& room) {
+void draw_head(FrameContext& f, Painter& p, Box& room) {
   const AdvisorState& s = f.state.advisor;
   const AdvisorInput& in = advisor_input(f);
   const float body = line_height(f.type.body), gap = std::round(f.type.small * 0.4f);
@@ -121,8 +122,8 @@ void draw_head(Frame& f, Painter& p, Box& room) {
   keyed("B", kText, s.every_pixel ? "in every pixel" : "in 99.9 % of the pixels");
   keyed("X", kText, fmt::format("cheapest by {}", cost_words(kAdviceCosts[s.cost].cost)));
   const std::string scope =
-      fmt::format("Scene, camera and lights stay as they are; judged from this camera and {} seeded ones at {}x{}.",
-                  kAdviceCameras - 1, in.size.x, in.size.y);
+      fmt::format("Scene, camera and lights stay as they are; judged from this camera and {} seeded ones at {}.",
+                  kAdviceCameras - 1, size_text(in.size));
   const auto wrapped = [&](ImU32 colour, const std::string& text) {
     const float height = std::min(text_size(text, f.type.small, room.width()).y, 2.6f * line_height(f.type.small));
     p.text_in(shelf.below(height), f.type.small, colour, text, true);
@@ -138,20 +139,21 @@ void draw_head(Frame& f, Painter& p, Box& room) {
   room = shelf.room;
 }
 
-bool is_applied(const Frame& f, const AdvisedSetup& a) {
+bool is_applied(const FrameContext& f, const AdvisedSetup& a) {
   Settings s = f.settings;
   apply_method(s, a.settings);
   return s == f.settings;
 }
 
 // What the box of a set-up would like to have.
-float setup_height(const Frame& f, const AdvisedSetup& a, float width) {
+float setup_height(const FrameContext& f, const AdvisedSetup& a, float width) {
   const float inset = std::round(f.type.small * 0.6f), room = width - 2 * inset;
   return 2 * inset + line_height(f.type.body) + 2 + text_size(setup_words(a.settings), f.type.body, room).y +
          text_size(proof_words(a.proof), f.type.small, room).y + f.type.small;
 }
 
-void draw_setup(Frame& f, Painter& p, const Box& box, const char* title, const char* key, const AdvisedSetup& a) {
+void draw_setup(FrameContext& f, Painter& p, const Box& box, const char* title, const char* key,
+                const AdvisedSetup& a) {
   const AdviceCostRow& cost = row(advisor_input(f).cost);
   p.fill(box, kSurface, 4);
   const Box room = box.inset(std::round(f.type.small * 0.6f));
@@ -168,7 +170,7 @@ void draw_setup(Frame& f, Painter& p, const Box& box, const char* title, const c
 }
 
 // Whole sentences from the first chosen one on, as many as there is room for.
-void draw_left_out(Frame& f, Painter& p, const Box& room, const std::vector<std::string>& all) {
+void draw_left_out(FrameContext& f, Painter& p, const Box& room, const std::vector<std::string>& all) {
   AdvisorState& s = f.state.advisor;
   s.first = std::min(s.first, all.empty() ? 0 : all.size() - 1);
   const float head = line_height(f.type.body), px = f.type.small;
@@ -187,7 +189,7 @@ void draw_left_out(Frame& f, Painter& p, const Box& room, const std::vector<std:
   p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.body, kAccent, title);
 }
 
-void draw_answer(Frame& f, Painter& p, Box room) {
+void draw_answer(FrameContext& f, Painter& p, Box room) {
   const AdvisorInput& in = advisor_input(f);
   const float gap = std::round(f.type.small * 0.5f), line = line_height(f.type.small);
   const std::string asked = fmt::format("Answer for {}, by {}:", budget_words(in.budget), cost_words(in.cost));
@@ -210,10 +212,10 @@ void draw_answer(Frame& f, Painter& p, Box room) {
 
 }  // namespace
 
-bool press_in_advisor(Frame& f, const KeyEvent& e) { return press_in_panel(f, e, kKeys); }
-void toggle_advisor(Frame& f, const KeyEvent&) { toggle_side(f.state, f.state.advisor.open); }
+bool press_in_advisor(FrameContext& f, const KeyEvent& e) { return press_in_panel(f, e, kKeys); }
+void toggle_advisor(FrameContext& f, const KeyEvent&) { toggle_side(f.state, f.state.advisor.open); }
 
-void draw_advisor(Frame& f) {
+void draw_advisor(FrameContext& f) {
   AdvisorState& s = f.state.advisor;
   f.requests.advisor = {s.open, budget_of(s), kAdviceCosts[s.cost].cost, std::exchange(s.run, false),
                         std::exchange(s.stop, false)};

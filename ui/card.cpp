@@ -25,7 +25,7 @@ const char* pass_name(Pass p) {
 }  // namespace
 
 // Where it hides something else than the picture that it explains.
-Box card_box(const Frame& f) {
+Box card_box(const FrameContext& f) {
   if (f.state.large) return f.layout.column;
   const std::optional<Box>& panel = f.layout.panels[static_cast<size_t>(f.state.card.value_or(View::final))];
   const Box& canvas = f.layout.canvas;
@@ -34,7 +34,7 @@ Box card_box(const Frame& f) {
   return left ? Box{canvas.min, {middle, bottom}} : Box{{middle, canvas.min.y}, {canvas.max.x, bottom}};
 }
 
-void draw_card(Frame& f) {
+void draw_card(FrameContext& f) {
   if (!f.state.card || f.state.help || f.state.options_page) return;
   const ViewRow& v = row(*f.state.card);
   const Box box = card_box(f), room = box.inset(std::round(16 * f.layout.unit));

@@ -25,7 +25,7 @@ int next_power(int n, int step, int max) {
 }
 
 // Shared by all ways to change settings: all or nothing, and an Error is shown, never thrown into the window.
-bool try_change(Frame& f, const std::function<void(Settings&)>& change) {
+bool try_change(FrameContext& f, const std::function<void(Settings&)>& change) {
   Settings changed = f.settings;
   try {
     change(changed);
@@ -42,11 +42,11 @@ bool try_change(Frame& f, const std::function<void(Settings&)>& change) {
 
 }  // namespace
 
-void say(Frame& f, Sentence sentence) {
+void say(FrameContext& f, Sentence sentence) {
   f.state.caption = Caption{std::move(sentence), f.input.seconds + kCaptionSeconds};
 }
 
-void edit(Frame& f, const std::function<void(Settings&)>& change) {
+void edit(FrameContext& f, const std::function<void(Settings&)>& change) {
   const Settings before = f.settings;
   if (!try_change(f, change)) return;
   Sentence sentence = describe_change(before, f.settings);
@@ -68,7 +68,7 @@ void imply(const Option& o, Settings& s) {
 }
 }  // namespace
 
-void edit_option(Frame& f, const Option& o, const Json& value) {
+void edit_option(FrameContext& f, const Option& o, const Json& value) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
     o.set(s, value, o);
@@ -78,7 +78,7 @@ void edit_option(Frame& f, const Option& o, const Json& value) {
   if (o.get(before) != o.get(f.settings)) say(f, describe_step(o, before, f.settings));
 }
 
-void step_option(Frame& f, const Option& o, int step) {
+void step_option(FrameContext& f, const Option& o, int step) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
     if (o.kind == Kind::choice)
@@ -90,7 +90,7 @@ void step_option(Frame& f, const Option& o, int step) {
   if (done) say(f, describe_step(o, before, f.settings));
 }
 
-void choose_preset(Frame& f, int index) {
+void choose_preset(FrameContext& f, int index) {
   const int n = static_cast<int>(presets().size());
   const Preset& chosen = presets()[(index + n) % n];
   const glm::ivec2 size = f.settings.size;  // the window's, not the preset's
@@ -105,7 +105,7 @@ void choose_preset(Frame& f, int index) {
   say(f, {fmt::format("Preset: {}. {}.", chosen.label, capitalised(chosen.help)), ""});
 }
 
-void show_view(Frame& f, View v) {
+void show_view(FrameContext& f, View v) {
   const bool again = f.state.large && f.chosen() == v;
   f.settings.view.main = row(v).id;
   f.state.large = !again;
@@ -139,7 +139,7 @@ void show_step(State& state, Settings& settings, size_t step) {
   state.caption.reset();
 }
 
-void advance_motion(Frame& f) {
+void advance_motion(FrameContext& f) {
   State& s = f.state;
   // A slow frame must not throw the camera across the scene: a step is a quarter of a second at most.
   const double dt = s.last_seconds < 0 ? 0 : std::clamp(f.input.seconds - s.last_seconds, 0.0, 0.25);

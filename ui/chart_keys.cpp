@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kZoomStep = 1.5;
 
-ChartState& chart_of(Frame& f) { return f.state.chart; }
+ChartState& chart_of(FrameContext& f) { return f.state.chart; }
 
 template <class List, class Is>
 size_t neighbour(const List& list, Is is, bool back) {
@@ -26,33 +26,33 @@ std::string step_column(std::span<const ChartColumn> columns, const std::string&
       .id;
 }
 
-void step_x(Frame& f, const KeyEvent& e) {
+void step_x(FrameContext& f, const KeyEvent& e) {
   ChartState& s = chart_of(f);
   s.x = step_column(cost_columns(), s.x, e.shift);
   s.zoom_x.reset(), s.log_x.reset();
 }
 
-void step_y(Frame& f, const KeyEvent& e) {
+void step_y(FrameContext& f, const KeyEvent& e) {
   ChartState& s = chart_of(f);
   s.y = step_column(chart_error_columns(), s.y, e.shift);
   s.zoom_y.reset(), s.log_y.reset();
 }
 
-void toggle_log_y(Frame& f, const KeyEvent&) {
+void toggle_log_y(FrameContext& f, const KeyEvent&) {
   ChartState& s = chart_of(f);
   s.log_y = !chart_view(f).y.logarithmic;
   s.zoom_y.reset();
 }
 
-void toggle_log_x(Frame& f, const KeyEvent&) {
+void toggle_log_x(FrameContext& f, const KeyEvent&) {
   ChartState& s = chart_of(f);
   s.log_x = !chart_view(f).x.logarithmic;
   s.zoom_x.reset();
 }
 
-void toggle_front(Frame& f, const KeyEvent&) { chart_of(f).front = !chart_of(f).front; }
+void toggle_front(FrameContext& f, const KeyEvent&) { chart_of(f).front = !chart_of(f).front; }
 
-void step_family(Frame& f, const KeyEvent& e) {
+void step_family(FrameContext& f, const KeyEvent& e) {
   ChartState& s = chart_of(f);
   const size_t n = family_paths().size();
   s.family = (s.family + (e.shift ? n - 1 : 1)) % n;
@@ -60,14 +60,14 @@ void step_family(Frame& f, const KeyEvent& e) {
 }
 
 // 1 … 8 are the first eight, with Shift the next.
-void switch_family(Frame& f, const KeyEvent& e) {
+void switch_family(FrameContext& f, const KeyEvent& e) {
   const auto number = static_cast<size_t>(e.key[0] - '1') + (e.shift ? 8 : 0);
   for (const ChartFamily& family : chart_view(f).families)
     if (family.number == number) toggle_family(chart_of(f), family.name);
 }
 
 // Without a selected point the middle of the plot stays where it is.
-void zoom(Frame& f, const KeyEvent& e) {
+void zoom(FrameContext& f, const KeyEvent& e) {
   ChartState& s = chart_of(f);
   const ChartView v = chart_view(f);
   const std::optional<size_t> about = v.selected ? v.selected : v.current;
@@ -81,12 +81,12 @@ void zoom(Frame& f, const KeyEvent& e) {
   s.zoom_y = one(v.y, v.whole_y, about ? std::optional(v.point(*about).error) : std::nullopt);
 }
 
-void fit_all(Frame& f, const KeyEvent&) {
+void fit_all(FrameContext& f, const KeyEvent&) {
   chart_of(f).zoom_x.reset();
   chart_of(f).zoom_y.reset();
 }
 
-void step_study(Frame& f, const KeyEvent& e) {
+void step_study(FrameContext& f, const KeyEvent& e) {
   ChartState& s = chart_of(f);
   const std::vector<ChartInput::Study>& all = chart_input(f).studies;
   if (all.empty()) return say(f, {"There is no study that can run here.", ""});
@@ -102,7 +102,7 @@ void step_study(Frame& f, const KeyEvent& e) {
   say(f, {fmt::format("Study “{}”: {}. R runs it.", study.id, study.label), ""});
 }
 
-void run_or_stop(Frame& f, const KeyEvent&) {
+void run_or_stop(FrameContext& f, const KeyEvent&) {
   ChartState& s = chart_of(f);
   const bool running = !chart_input(f).running.empty();
   s.run = !running, s.stop = running;
@@ -110,7 +110,7 @@ void run_or_stop(Frame& f, const KeyEvent&) {
 
 // Right and left walk along the cost, up and down along the error; with Shift on the front alone. Every shown point
 // is reached.
-void select_next(Frame& f, const KeyEvent& e) {
+void select_next(FrameContext& f, const KeyEvent& e) {
   const ChartView v = chart_view(f);
   std::vector<size_t> order = e.shift ? v.front : v.shown;
   if (order.empty()) return say(f, {"There is no point to choose.", ""});
@@ -134,7 +134,7 @@ void select_next(Frame& f, const KeyEvent& e) {
   chart_of(f).selected = row_key_of(chart_input(f).rows[v.point(order[next]).row]);
 }
 
-void apply_selected(Frame& f, const KeyEvent&) {
+void apply_selected(FrameContext& f, const KeyEvent&) {
   const ChartView v = chart_view(f);
   if (!v.selected) return say(f, {"No point is selected: the arrow keys choose one, Enter applies it.", ""});
   apply_row(f, v.point(*v.selected).row);
@@ -170,7 +170,7 @@ bool answers(const PanelKey& row, const KeyEvent& e) {
 
 std::span<const PanelKey> chart_keys() { return kKeys; }
 
-bool press_in_chart(Frame& f, const KeyEvent& e) {
+bool press_in_chart(FrameContext& f, const KeyEvent& e) {
   if (e.ctrl) return false;
   for (const PanelKey& row : kKeys) {
     if (!answers(row, e)) continue;
@@ -182,6 +182,6 @@ bool press_in_chart(Frame& f, const KeyEvent& e) {
   return false;
 }
 
-void toggle_chart(Frame& f, const KeyEvent&) { toggle_side(f.state, f.state.chart.open); }
+void toggle_chart(FrameContext& f, const KeyEvent&) { toggle_side(f.state, f.state.chart.open); }
 
 }  // namespace gbl::ui

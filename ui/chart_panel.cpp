@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/base/size_text.h"
 #include "ui/chart_view.h"
 #include "ui/plot.h"
 
@@ -48,7 +49,7 @@ std::string label_of_study(const ChartInput& in, const std::string& id) {
   return "";
 }
 
-void draw_head(Frame& f, Painter& p, const Places& at) {
+void draw_head(FrameContext& f, Painter& p, const Places& at) {
   const ChartInput& in = chart_input(f);
   const ChartState& s = f.state.chart;
   const std::string progress = progress_text(in);
@@ -63,7 +64,7 @@ void draw_head(Frame& f, Painter& p, const Places& at) {
   }
   std::string words = fmt::format("study “{}”", s.study);
   if (const std::string label = label_of_study(in, s.study); !label.empty()) words += fmt::format(": {}", label);
-  words += fmt::format("; in this scene, at {}x{}", in.size.x, in.size.y);
+  words += fmt::format("; in this scene, at {}", size_text(in.size));
   if (other) words += fmt::format("   (“{}” is running)", in.running);
   draw_keyed(p, at.study, f.type.body, "S", kText, words);
 }
@@ -79,7 +80,7 @@ std::vector<LegendRow> legend_rows(const ChartState& s, const ChartView& v) {
   return rows;
 }
 
-void use_legend(Frame& f, const ChartView& v, const std::vector<Box>& places) {
+void use_legend(FrameContext& f, const ChartView& v, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
     ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
@@ -96,7 +97,7 @@ void draw_two_columns(Painter& p, const Box& box, const std::vector<Field>& fiel
   draw_fields(p, {{middle, box.min.y}, box.max}, {fields[2], fields[3]}, px);
 }
 
-void draw_words(Frame& f, Painter& p, const Box& box, const ChartView& v) {
+void draw_words(FrameContext& f, Painter& p, const Box& box, const ChartView& v) {
   const ChartInput& in = chart_input(f);
   p.fill(box, kSurface, 4);
   const Box room = box.inset(std::round(f.type.small * 0.6f));
@@ -117,7 +118,7 @@ void draw_words(Frame& f, Painter& p, const Box& box, const ChartView& v) {
                    f.type.body);
 }
 
-void draw_counts(Frame& f, Painter& p, const Box& box, const ChartView& v) {
+void draw_counts(FrameContext& f, Painter& p, const Box& box, const ChartView& v) {
   const ChartInput& in = chart_input(f);
   std::vector<Paragraph> lines{{counts_text(in, v), kText, f.type.small}};
   if (!in.note.empty()) lines.push_back({in.note, kAccent, f.type.small});
@@ -126,7 +127,7 @@ void draw_counts(Frame& f, Painter& p, const Box& box, const ChartView& v) {
 
 }  // namespace
 
-void draw_chart(Frame& f) {
+void draw_chart(FrameContext& f) {
   ChartState& s = f.state.chart;
   f.requests.chart = {s.open, s.study, std::exchange(s.run, false), std::exchange(s.stop, false)};
   if (!s.open) return;

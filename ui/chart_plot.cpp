@@ -106,7 +106,7 @@ void draw_current(Painter& p, const Plot& plot, const ChartView& v, float radius
   labels.draw(at, radius * 2.8f + 4, kAccent, "now");
 }
 
-void draw_empty(Frame& f, Painter& p, const Box& frame) {
+void draw_empty(FrameContext& f, Painter& p, const Box& frame) {
   const ChartInput& in = chart_input(f);
   std::string text = "No rows on these axes yet. R runs the study here.";
   if (!in.running.empty() || in.measuring) text = "Measuring: the first point is about to appear …";
@@ -129,7 +129,7 @@ std::optional<size_t> nearest(const Plot& plot, const ChartView& v, ImVec2 mouse
   return found;
 }
 
-void wheel(Frame& f, const Plot& plot, const ChartView& v) {
+void wheel(FrameContext& f, const Plot& plot, const ChartView& v) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.MouseWheel == 0) return;
   const double factor = std::pow(kWheelStep, double(io.MouseWheel));
@@ -140,7 +140,7 @@ void wheel(Frame& f, const Plot& plot, const ChartView& v) {
   f.state.chart.zoom_y = one(plot.y(), v.whole_y, io.MousePos.y);
 }
 
-void pan(Frame& f, const Plot& plot, const ChartView& v) {
+void pan(FrameContext& f, const Plot& plot, const ChartView& v) {
   const ImVec2 by = ImGui::GetIO().MouseDelta;
   if (by.x == 0 && by.y == 0) return;
   const auto one = [](const PlotAxis& axis, const ChartAxis& whole, float pixels) {
@@ -153,7 +153,7 @@ void pan(Frame& f, const Plot& plot, const ChartView& v) {
 
 }  // namespace
 
-void draw_chart_points(Frame& f, Painter& p, Plot& plot, const ChartView& v) {
+void draw_chart_points(FrameContext& f, Painter& p, Plot& plot, const ChartView& v) {
   const float radius = mark_radius(f.type);
   plot.draw_axes();
   if (v.shown.empty() && !v.current) return draw_empty(f, p, plot.frame());
@@ -171,7 +171,7 @@ void draw_chart_points(Frame& f, Painter& p, Plot& plot, const ChartView& v) {
 }
 
 // Point: read it. Click: apply it. Drag: move the plot. Wheel: zoom.
-void use_chart_mouse(Frame& f, const Plot& plot, const ChartView& v) {
+void use_chart_mouse(FrameContext& f, const Plot& plot, const ChartView& v) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetCursorScreenPos(plot.frame().min);
   const bool clicked = ImGui::InvisibleButton("plot", plot.frame().size());

@@ -64,7 +64,7 @@ void scale_axes(ChartView& v, const ChartState& s) {
 
 std::span<const FamilyPath> family_paths() { return kFamilies; }
 
-const ChartInput& chart_input(const Frame& f) {
+const ChartInput& chart_input(const FrameContext& f) {
   static const ChartInput kNothing;
   return f.input.chart ? *f.input.chart : kNothing;
 }
@@ -80,7 +80,7 @@ void toggle_family(ChartState& s, const std::string& family) {
   if (s.hidden.erase(family) == 0) s.hidden.insert(family);
 }
 
-ChartView chart_view(const Frame& f) {
+ChartView chart_view(const FrameContext& f) {
   const ChartState& s = f.state.chart;
   const ChartInput& in = chart_input(f);
   ChartView v;
@@ -104,7 +104,7 @@ SeriesLook ChartView::look(size_t i) const {
   return series_look(0);
 }
 
-void apply_row(Frame& f, size_t index) {
+void apply_row(FrameContext& f, size_t index) {
   const ChartInput& in = chart_input(f);
   if (index >= in.settings.size()) return;
   edit(f, [&](Settings& s) {

@@ -29,13 +29,13 @@ struct ChartView {
   const ChartPoint& point(size_t i) const { return chart.points[i]; }
   SeriesLook look(size_t i) const;  // of a point
 };
-const ChartInput& chart_input(const Frame&);  // an empty one where nothing is ever measured
-ChartView chart_view(const Frame&);
+const ChartInput& chart_input(const FrameContext&);  // an empty one where nothing is ever measured
+ChartView chart_view(const FrameContext&);
 
 std::string row_key_of(const Json& row);
 bool family_on(const ChartState&, const std::string& family);
 void toggle_family(ChartState&, const std::string& family);
-void apply_row(Frame&, size_t index);  // of the input: all that is no size, view, time, nor this scene's camera
+void apply_row(FrameContext&, size_t index);  // of the input: all that is no size, view, time, nor this scene's camera
 
 // A row in words, for the box below the plot.
 std::vector<Field> row_fields(const ChartInput&, const ChartView&, size_t index);
@@ -43,8 +43,8 @@ std::string row_title(const ChartInput&, size_t index);
 std::string progress_text(const ChartInput&);  // "37/272, 4 min left"; "" = nothing to count
 std::string counts_text(const ChartInput&, const ChartView&);
 
-void draw_chart_points(Frame&, Painter&, Plot&, const ChartView&);
-void use_chart_mouse(Frame&, const Plot&, const ChartView&);  // point, click, drag, wheel
+void draw_chart_points(FrameContext&, Painter&, Plot&, const ChartView&);
+void use_chart_mouse(FrameContext&, const Plot&, const ChartView&);  // point, click, drag, wheel
 
 std::span<const PanelKey> chart_keys();
 

@@ -13,19 +13,19 @@ namespace {
 
 constexpr float kScaleStep = 1.1f, kSmallestScale = 0.7f, kLargestScale = 2;
 
-std::string light_sentence(const Frame& f, int index, const Light& light) {
+std::string light_sentence(const FrameContext& f, int index, const Light& light) {
   const double distance = distance_in_ranges(f.settings.camera, light);
   return fmt::format("Light {}: {} units up, range {:.0f}; the camera is {} its range, d/r {:.2f}.", index,
                      static_cast<int>(light.position.y), light.range, distance < 1 ? "inside" : "outside", distance);
 }
 
-int light_total(const Frame& f) {
+int light_total(const FrameContext& f) {
   const Settings::Lights& l = f.settings.lights;
   return l.first >= 0 ? std::min(l.first, l.count) : l.count;
 }
 
 // The light of that index of these settings, even while another one is alone.
-std::optional<Light> light_at(const Frame& f, int index) {
+std::optional<Light> light_at(const FrameContext& f, int index) {
   Settings all = f.settings;
   all.lights.only = -1;
   const std::vector<Light> lights = lights_of(all, f.input.scene);
@@ -35,9 +35,9 @@ std::optional<Light> light_at(const Frame& f, int index) {
 
 }  // namespace
 
-void show_all(Frame& f, const KeyEvent&) { f.state.large = false; }
+void show_all(FrameContext& f, const KeyEvent&) { f.state.large = false; }
 
-void next_preset(Frame& f, const KeyEvent& e) {
+void next_preset(FrameContext& f, const KeyEvent& e) {
   const Preset* now = preset_of(f.settings);
   const int index = now ? static_cast<int>(now - presets().data()) : -1;
   if (!now && e.shift) return choose_preset(f, -1);
@@ -49,7 +49,7 @@ void next_preset(Frame& f, const KeyEvent& e) {
   choose_preset(f, next);
 }
 
-void go_home(Frame& f, const KeyEvent&) {
+void go_home(FrameContext& f, const KeyEvent&) {
   State& s = f.state;
   f.settings = s.initial;
   s.large = s.initial.view.main != "final";
@@ -62,7 +62,7 @@ void go_home(Frame& f, const KeyEvent&) {
   say(f, {"Home: everything is as it was loaded.", ""});
 }
 
-void glide(Frame& f, const KeyEvent&) {
+void glide(FrameContext& f, const KeyEvent&) {
   State& s = f.state;
   const std::optional<Light> light = light_at(f, f.settings.view.pick);
   if (!light) return say(f, {fmt::format("There is no light {} to glide into.", f.settings.view.pick), ""});
@@ -77,7 +77,7 @@ void glide(Frame& f, const KeyEvent&) {
   s.show_distance = true;
 }
 
-void solo_light(Frame& f, const KeyEvent&) {
+void solo_light(FrameContext& f, const KeyEvent&) {
   const int pick = f.settings.view.pick;
   const bool alone = f.settings.lights.only >= 0;
   if (!alone && pick >= light_total(f)) return say(f, {fmt::format("There is no light {} to show alone.", pick), ""});
@@ -85,7 +85,7 @@ void solo_light(Frame& f, const KeyEvent&) {
   say(f, {alone ? "All lights again." : fmt::format("Light {} alone.", pick), ""});
 }
 
-void pick_light(Frame& f, const KeyEvent& e) {
+void pick_light(FrameContext& f, const KeyEvent& e) {
   const int n = light_total(f);
   if (n == 0) return say(f, {"There are no lights to pick from.", ""});
   const int step = e.key == "," ? -1 : 1;
@@ -96,14 +96,14 @@ void pick_light(Frame& f, const KeyEvent& e) {
   if (const std::optional<Light> light = light_at(f, pick)) say(f, {light_sentence(f, pick, *light), ""});
 }
 
-void toggle_time(Frame& f, const KeyEvent&) {
+void toggle_time(FrameContext& f, const KeyEvent&) {
   f.state.playing = !f.state.playing;
   say(f, {f.state.playing ? "The lights move: time runs." : fmt::format("Paused at t = {:.2f} s.", f.settings.time_s),
           ""});
 }
 
-void toggle_help(Frame& f, const KeyEvent&) { f.state.help = !f.state.help; }
-void pick_object(Frame& f, const KeyEvent&) {
+void toggle_help(FrameContext& f, const KeyEvent&) { f.state.help = !f.state.help; }
+void pick_object(FrameContext& f, const KeyEvent&) {
   int& picked = f.settings.view.object;
   const std::optional<PixelProbe>& probe = f.input.probe;
   const bool pointed = probe && (f.state.held_at || f.state.hovered_pixel);
@@ -117,9 +117,9 @@ void pick_object(Frame& f, const KeyEvent&) {
     say(f, {pointed || again ? "No object is picked." : "Point at an object or hold a pixel first.", ""});
 }
 
-void show_error(Frame& f, const KeyEvent& e) { show_view(f, e.shift ? View::reference : View::error); }
+void show_error(FrameContext& f, const KeyEvent& e) { show_view(f, e.shift ? View::reference : View::error); }
 
-void go_to_worst(Frame& f, const KeyEvent&) {
+void go_to_worst(FrameContext& f, const KeyEvent&) {
   const std::optional<ErrorStats>& stats = f.input.error;
   if (f.layout.main != View::error || !stats || stats->worst.x < 0)
     return say(f, {"The error view is not the large one: U shows it.", ""});
@@ -129,18 +129,18 @@ void go_to_worst(Frame& f, const KeyEvent&) {
           ""});
 }
 
-void toggle_hidden(Frame& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
-void reload_shaders(Frame& f, const KeyEvent&) { f.requests.reload_shaders = true; }
-void save_figure(Frame& f, const KeyEvent&) { f.requests.save_figure = true; }
+void toggle_hidden(FrameContext& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
+void reload_shaders(FrameContext& f, const KeyEvent&) { f.requests.reload_shaders = true; }
+void save_figure(FrameContext& f, const KeyEvent&) { f.requests.save_figure = true; }
 
-void toggle_card(Frame& f, const KeyEvent&) {
+void toggle_card(FrameContext& f, const KeyEvent&) {
   if (f.state.card)
     f.state.card.reset();
   else
     f.state.card = f.state.hovered.value_or(f.chosen());
 }
 
-void toggle_options(Frame& f, const KeyEvent& e) {
+void toggle_options(FrameContext& f, const KeyEvent& e) {
   std::optional<int>& page = f.state.options_page;
   const int next = page ? *page + (e.shift ? -1 : 1) : 0;
   if (next < 0 || next >= option_pages())
@@ -149,7 +149,7 @@ void toggle_options(Frame& f, const KeyEvent& e) {
     page = next;
 }
 
-void toggle_navigation(Frame& f, const KeyEvent&) {
+void toggle_navigation(FrameContext& f, const KeyEvent&) {
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigFlags ^= ImGuiConfigFlags_NavEnableKeyboard;
   const bool on = io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard;
@@ -157,14 +157,14 @@ void toggle_navigation(Frame& f, const KeyEvent&) {
   say(f, {on ? "Panel keys: Tab and arrows walk, Space presses, Esc leaves." : "Panel keys off.", ""});
 }
 
-void scale_type(Frame& f, const KeyEvent& e) {
+void scale_type(FrameContext& f, const KeyEvent& e) {
   float& scale = f.state.ui_scale;
   scale = std::clamp(scale * (e.key == "+" ? kScaleStep : 1 / kScaleStep), kSmallestScale, kLargestScale);
   if (std::abs(scale - 1) < 0.01f) scale = 1;  // three up and three down is where we began
   say(f, {fmt::format("Type at {:.0f} %.", scale * 100), ""});
 }
 
-void nudge_pixel(Frame& f, const KeyEvent& e) {
+void nudge_pixel(FrameContext& f, const KeyEvent& e) {
   glm::ivec2 pixel = f.held_pixel().value_or(f.state.hovered_pixel.value_or(f.frame_size() / 2));
   const int by = e.shift ? 10 : 1;
   if (e.key == "Left") pixel.x -= by;
@@ -174,20 +174,20 @@ void nudge_pixel(Frame& f, const KeyEvent& e) {
   f.hold(pixel);
 }
 
-void open_go_to(Frame& f, const KeyEvent&) {
+void open_go_to(FrameContext& f, const KeyEvent&) {
   f.state.go_to = f.state.focus_go_to = true;
   const glm::ivec2 pixel = f.held_pixel().value_or(f.frame_size() / 2);
   f.state.go_to_text = {};
   fmt::format_to_n(f.state.go_to_text.begin(), f.state.go_to_text.size() - 1, "{}, {}", pixel.x, pixel.y);
 }
 
-void stop_typing(Frame& f) {
+void stop_typing(FrameContext& f) {
   f.state.go_to = false;
   f.state.edited = nullptr;
   ImGui::SetWindowFocus(nullptr);  // the field lets go of the keyboard, also if it has not seen the key itself
 }
 
-void close_top(Frame& f, const KeyEvent&) {
+void close_top(FrameContext& f, const KeyEvent&) {
   State& s = f.state;
   ImGuiIO& io = ImGui::GetIO();
   if (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)

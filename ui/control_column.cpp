@@ -75,7 +75,8 @@ float column_height(const std::vector<Number>& ns, float width, const Sizes& z) 
 }
 
 // Key, label, and the box that is left for the widget; moves `at` below the row.
-Box begin_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z, std::string_view keys, std::string_view label) {
+Box begin_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z, std::string_view keys,
+              std::string_view label) {
   const float top = at.y + (z.widget - z.line) / 2;
   float x = at.x;
   while (!keys.empty()) {
@@ -91,7 +92,7 @@ Box begin_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z, std::stri
   return widget;
 }
 
-void preset_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z) {
+void preset_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
   const Box box = begin_row(f, column, at, z, "B", "Preset");
   const Preset* now = preset_of(f.settings);
   const char* label = now ? now->label : "changed";
@@ -111,7 +112,7 @@ void preset_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z) {
 }
 
 // The line below is kept free when the choice is sound: nothing jumps at a key press.
-void choice_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z, const char* path) {
+void choice_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z, const char* path) {
   const Option& o = option(path);
   const Box box = begin_row(f, column, at, z, o.key, o.label);
   draw_choice(f, o, box, z.px);
@@ -124,7 +125,7 @@ void choice_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z, const c
   at.y += z.note;
 }
 
-void lights_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z) {
+void lights_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
   const Option& o = option("lights.count");
   const Box box = begin_row(f, column, at, z, o.key, o.label);
   int count = f.settings.lights.count;
@@ -141,14 +142,14 @@ void lights_row(Frame& f, const Box& column, ImVec2& at, const Sizes& z) {
   ImGui::PopStyleVar();
 }
 
-void options_button(Frame& f, const Box& column, ImVec2& at, const Sizes& z) {
+void options_button(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
   const FontScope font(z.px);
   ImGui::SetCursorScreenPos(at);
   if (ImGui::Button("all options   O", {column.width(), z.widget})) f.state.options_page = 0;
   at.y += z.widget + z.gap;
 }
 
-void draw_numbers(Frame& f, const Box& column, ImVec2 at, const std::vector<Number>& ns, const Sizes& z) {
+void draw_numbers(FrameContext& f, const Box& column, ImVec2 at, const std::vector<Number>& ns, const Sizes& z) {
   const float label = label_width(ns, z);
   for (const Number& n : ns) {
     f.painter.text(at, z.px, kDim, n.label);
@@ -159,7 +160,7 @@ void draw_numbers(Frame& f, const Box& column, ImVec2 at, const std::vector<Numb
 
 }  // namespace
 
-void draw_control_column(Frame& f) {
+void draw_control_column(FrameContext& f) {
   const Box column = f.layout.column.inset(std::round(12 * f.layout.unit));
   std::vector<Number> ns = numbers(f.input.report, true);
   Sizes z(f.type.body);

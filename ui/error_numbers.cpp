@@ -31,7 +31,7 @@ std::string numbers_text(const ErrorStats& e) {
   return text;
 }
 
-void draw_stats(Frame& f, const Box& panel, const ErrorStats& stats) {
+void draw_stats(FrameContext& f, const Box& panel, const ErrorStats& stats) {
   const float px = f.type.body, line = line_height(px), pad = std::round(px * 0.5f);
   const std::string text = numbers_text(stats);
   const std::string worst =
@@ -50,7 +50,7 @@ void draw_stats(Frame& f, const Box& panel, const ErrorStats& stats) {
   draw_histogram(f.painter, {{room.max.x - histogram, room.min.y + line + pad}, room.max}, stats);
 }
 
-void draw_progress(Frame& f, const Box& panel) {
+void draw_progress(FrameContext& f, const Box& panel) {
   const std::string text = fmt::format("working out the reference: {:.0f} %", 100 * f.input.truth_progress);
   const float px = f.type.large;
   const ImVec2 size = text_size(text, px);
@@ -62,7 +62,7 @@ void draw_progress(Frame& f, const Box& panel) {
 
 }  // namespace
 
-void draw_error_numbers(Frame& f, const Box& panel) {
+void draw_error_numbers(FrameContext& f, const Box& panel) {
   if (!needs_truth(f.layout.main) || !why_missing(f.layout.main, f.stored).empty()) return;
   if (f.input.truth_progress < 1) return draw_progress(f, panel);
   if (f.layout.main == View::error && f.input.error) draw_stats(f, panel, *f.input.error);

@@ -60,7 +60,7 @@ std::vector<size_t> split(const std::vector<KeyRow>& rows, const Columns& c, flo
 
 }  // namespace
 
-void draw_help(Frame& f) {
+void draw_help(FrameContext& f) {
   if (!f.state.help) return;
   const Box box{f.layout.canvas.min, {f.layout.canvas.max.x, f.layout.status.min.y}};
   const Box room = box.inset(std::round(24 * f.layout.unit));

@@ -12,7 +12,7 @@ namespace gbl::ui {
 namespace {
 
 // Rows with a modifier come before the same key without one.
-constexpr Command kCommands[] = {
+constexpr KeyCommand kCommands[] = {
     {"0", "view.all", "all views at once", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},
     {"O", "options", "all options: then the letter on the screen; O again: the next page", toggle_options},
@@ -97,7 +97,7 @@ int direction(const Option& o, int which, const KeyEvent& e) {
   return e.shift ? -1 : 1;
 }
 
-bool press_option(Frame& f, const KeyEvent& e) {
+bool press_option(FrameContext& f, const KeyEvent& e) {
   for (const Option& o : options()) {
     const int which = match(o.key, e);
     if (which < 0) continue;
@@ -107,7 +107,7 @@ bool press_option(Frame& f, const KeyEvent& e) {
   return false;
 }
 
-bool press_view(Frame& f, const KeyEvent& e) {
+bool press_view(FrameContext& f, const KeyEvent& e) {
   for (const ViewRow& v : views()) {
     if (match(v.key, e) < 0) continue;
     if (!e.repeat) show_view(f, v.view);
@@ -116,8 +116,8 @@ bool press_view(Frame& f, const KeyEvent& e) {
   return false;
 }
 
-void press_command(Frame& f, const KeyEvent& e) {
-  for (const Command& c : kCommands) {
+void press_command(FrameContext& f, const KeyEvent& e) {
+  for (const KeyCommand& c : kCommands) {
     const int which = match(c.key, e);
     if (which < 0) continue;
     if (c.run && (!e.repeat || c.repeats)) c.run(f, {std::string(parse(c.key).keys[which]), e.shift, e.ctrl, e.repeat});
@@ -131,11 +131,11 @@ bool belongs_to_navigation(const KeyEvent& e) {
 }
 
 // A field that is being typed into, or will be next frame, keeps every key but Esc.
-bool typing(const Frame& f) { return f.state.go_to || f.state.edited || ImGui::GetIO().WantTextInput; }
+bool typing(const FrameContext& f) { return f.state.go_to || f.state.edited || ImGui::GetIO().WantTextInput; }
 
 }  // namespace
 
-void dispatch(Frame& f, const KeyEvent& e) {
+void dispatch(FrameContext& f, const KeyEvent& e) {
   const bool function_key = e.key.size() > 1 && e.key[0] == 'F';  // no field wants those
   if (typing(f) && !function_key) {
     if (e.key == "Esc") stop_typing(f);
@@ -165,7 +165,7 @@ std::vector<KeyRow> key_rows() {
   for (const ViewRow& v : views())
     if (*v.key)
       rows.push_back({v.key, fmt::format("view.{}", v.id), fmt::format("{} alone; again: all views", v.label)});
-  for (const Command& c : kCommands) rows.push_back({c.key, c.id, c.help});
+  for (const KeyCommand& c : kCommands) rows.push_back({c.key, c.id, c.help});
   return rows;
 }
 

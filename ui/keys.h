@@ -8,17 +8,17 @@
 
 namespace gbl::ui {
 
-struct Frame;
+struct FrameContext;
 
-struct Command {
+struct KeyCommand {
   const char* key;  // as printed: "Home", ", .", "Shift , .", "Ctrl+G"
   const char* id;
   const char* help;
-  void (*run)(Frame&, const KeyEvent&);  // null: acts while held
-  bool repeats = false;                  // also when the keyboard repeats the key
+  void (*run)(FrameContext&, const KeyEvent&);  // null: acts while held
+  bool repeats = false;                         // also when the keyboard repeats the key
 };
 
-void dispatch(Frame&, const KeyEvent&);
+void dispatch(FrameContext&, const KeyEvent&);
 
 // Presses that a row answers to, e.g. "[ ]" -> "[" and "]"; what scripts and tests send.
 std::vector<KeyEvent> presses_of(const KeyRow&);

@@ -9,7 +9,7 @@
 namespace gbl::ui {
 namespace {
 
-void open_chooser(Frame& f) {
+void open_chooser(FrameContext& f) {
   State& s = f.state;
   s.lessons.clear();
   try {
@@ -21,14 +21,14 @@ void open_chooser(Frame& f) {
   s.chooser = 0;
 }
 
-void choose(Frame& f, int index) {
+void choose(FrameContext& f, int index) {
   if (index >= 0 && index < static_cast<int>(f.state.lessons.size()))
     open_lesson(f.state, f.settings, f.state.lessons[static_cast<size_t>(index)]);
 }
 
 }  // namespace
 
-void step_lesson(Frame& f, const KeyEvent& e) {
+void step_lesson(FrameContext& f, const KeyEvent& e) {
   State& s = f.state;
   if (!s.lesson) return open_chooser(f);
   const size_t n = s.lesson->lesson.steps.size();
@@ -37,12 +37,12 @@ void step_lesson(Frame& f, const KeyEvent& e) {
   show_step(s, f.settings, e.key == "PgDn" ? s.lesson->step + 1 : s.lesson->step - 1);
 }
 
-void reveal_answer(Frame& f, const KeyEvent&) {
+void reveal_answer(FrameContext& f, const KeyEvent&) {
   if (f.state.lesson) f.state.lesson->revealed = true;
 }
 
 // Up and Down move, Enter or PgDn opens, a digit opens at once.
-bool press_in_chooser(Frame& f, const KeyEvent& e) {
+bool press_in_chooser(FrameContext& f, const KeyEvent& e) {
   int& chosen = *f.state.chooser;
   const int last = static_cast<int>(f.state.lessons.size()) - 1;
   if (e.key == "Up")
@@ -58,7 +58,7 @@ bool press_in_chooser(Frame& f, const KeyEvent& e) {
   return true;
 }
 
-void draw_chooser(Frame& f) {
+void draw_chooser(FrameContext& f) {
   if (!f.state.chooser) return;
   const float px = f.type.large, row = std::round(px * 1.9f);
   const float rows = static_cast<float>(f.state.lessons.size()) + 2;
@@ -91,7 +91,7 @@ void draw_chooser(Frame& f) {
   choose(f, clicked);
 }
 
-void draw_lesson(Frame& f, const Box& strip) {
+void draw_lesson(FrameContext& f, const Box& strip) {
   const LessonRun& run = *f.state.lesson;
   const LessonStep& step = run.lesson.steps[run.step];
   f.painter.fill(strip, f.state.hidden && f.state.large ? kBacking : kBackground);

@@ -9,7 +9,7 @@ namespace gbl::ui {
 namespace {
 
 // Why this value cannot be chosen as things stand; empty if it can.
-std::string why_not(const Frame& f, const Option& o, const ValueRow& r) {
+std::string why_not(const FrameContext& f, const Option& o, const ValueRow& r) {
   if (!f.input.features.has(r.needs)) {
     const FeatureRow& feature = kFeatures[static_cast<int>(r.needs) - 1];
     return fmt::format("needs {}, which is not available here ({})", feature.id, feature.used_for);
@@ -20,7 +20,7 @@ std::string why_not(const Frame& f, const Option& o, const ValueRow& r) {
   return problems.empty() ? "" : problems.front().sentence;
 }
 
-void draw_value(Frame& f, const Option& o, const ValueRow& r, bool selected) {
+void draw_value(FrameContext& f, const Option& o, const ValueRow& r, bool selected) {
   const std::string reason = selected ? "" : why_not(f, o, r);
   const bool available = reason.empty();
   std::string text = r.sound() ? r.label : fmt::format("{} {}", kUnsoundSign, r.label);
@@ -50,7 +50,7 @@ std::string sound_mark(const Option& o, const Settings& s) {
   return r.sound() ? "" : fmt::format("{} unsound: {}", kUnsoundSign, r.pitfall);
 }
 
-void draw_choice(Frame& f, const Option& o, const Box& place, float px) {
+void draw_choice(FrameContext& f, const Option& o, const Box& place, float px) {
   const Box box{{std::floor(place.min.x), std::floor(place.min.y)}, {std::floor(place.max.x), std::floor(place.max.y)}};
   const ValueRow& now = o.values[chosen(o, f.settings)];
   const float arrow = box.height(), pad = std::round(px * 0.5f);

@@ -43,14 +43,14 @@ const std::vector<Page>& pages() {
 }
 
 // The field shows fewer digits than are stored: the exact value stays unless the text is changed.
-void apply_text(Frame& f, const Option& o, const std::string& text) {
+void apply_text(FrameContext& f, const Option& o, const std::string& text) {
   if (text == value_text(o, f.settings)) return;
   Json value = o.kind == Kind::text ? Json() : Json::parse(text, nullptr, false);
   if (o.kind == Kind::text || value.is_discarded()) value = text;
   edit_option(f, o, value);
 }
 
-void draw_field(Frame& f, const Option& o, const Box& box, float px) {
+void draw_field(FrameContext& f, const Option& o, const Box& box, float px) {
   const std::string text = value_text(o, f.settings);
   char buffer[256] = {};
   std::memcpy(buffer, text.data(), std::min(text.size(), sizeof buffer - 1));
@@ -66,7 +66,7 @@ struct Rows {
   float px, height, key, label;
 };
 
-void draw_row(Frame& f, Painter& p, const Box& row, const std::vector<const Option*>& page, const Option& o,
+void draw_row(FrameContext& f, Painter& p, const Box& row, const std::vector<const Option*>& page, const Option& o,
               const Rows& z) {
   const std::string key = *o.key ? o.key : option_letter(page, o);
   const float top = row.min.y + (row.height() - line_height(z.px)) / 2;
@@ -82,7 +82,7 @@ void draw_row(Frame& f, Painter& p, const Box& row, const std::vector<const Opti
 }
 
 // What is unsound now, and how to use the panel.
-void draw_hints(Frame& f, Painter& p, const Box& room) {
+void draw_hints(FrameContext& f, Painter& p, const Box& room) {
   std::string unsound;
   for (const Unsound& u : unsound_choices(f.settings))
     unsound += fmt::format("{}{}: {}", unsound.empty() ? "" : ", ", option(u.path).label, u.pitfall);
@@ -115,7 +115,7 @@ std::string option_letter(const std::vector<const Option*>& page, const Option& 
   return "";
 }
 
-bool press_in_options(Frame& f, const KeyEvent& e) {
+bool press_in_options(FrameContext& f, const KeyEvent& e) {
   if (e.ctrl || e.key.size() != 1 || e.repeat) return false;
   const std::vector<const Option*> page = options_on_page(*f.state.options_page);
   for (const Option* o : page) {
@@ -131,13 +131,13 @@ bool press_in_options(Frame& f, const KeyEvent& e) {
   return false;
 }
 
-Box options_box(const Frame& f) {
+Box options_box(const FrameContext& f) {
   const Box& canvas = f.layout.canvas;
   const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;  // large type needs the place of four pictures
   return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
 }
 
-void draw_options_panel(Frame& f) {
+void draw_options_panel(FrameContext& f) {
   if (!f.state.options_page) return;
   const Page& page = pages()[static_cast<size_t>(*f.state.options_page)];
   const Box box = options_box(f), room = box.inset(std::round(12 * f.layout.unit));

@@ -1,7 +1,7 @@
 // Windows above the pictures: fixed boxes without decoration; the pixel's dialog and the messages.
-#include <cstdio>
 #include <fmt/format.h>
 
+#include "renderer/base/size_text.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -23,7 +23,7 @@ void end_overlay() {
   ImGui::PopStyleColor();
 }
 
-bool draw_text_field(Frame& f, const char* id, const Box& box, float px, char* buffer, size_t size, bool focus) {
+bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, char* buffer, size_t size, bool focus) {
   const FontScope font(px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::round(px * 0.4f), std::floor((box.height() - px) / 2)});
   ImGui::SetCursorScreenPos(box.min);
@@ -39,7 +39,7 @@ bool draw_text_field(Frame& f, const char* id, const Box& box, float px, char* b
 }
 
 // Ctrl+G: two numbers; Enter holds the pixel there, Esc leaves.
-void draw_go_to(Frame& f) {
+void draw_go_to(FrameContext& f) {
   State& s = f.state;
   if (!s.go_to) return;
   const float px = f.type.body, line = line_height(px), width = px * 20;
@@ -56,10 +56,9 @@ void draw_go_to(Frame& f) {
   if (ImGui::IsItemActive()) s.focus_go_to = false;
   const glm::ivec2 last = f.frame_size() - 1;
   if (entered) {
-    glm::ivec2 pixel;
     s.go_to = false;
-    if (std::sscanf(s.go_to_text.data(), "%d%*[ ,;x]%d", &pixel.x, &pixel.y) == 2)
-      f.hold(pixel);
+    if (const std::optional<glm::ivec2> pixel = pixel_of(s.go_to_text.data()))
+      f.hold(*pixel);
     else
       s.notice = fmt::format("'{}' is not a pixel; write two whole numbers, x, y", s.go_to_text.data());
   }
@@ -69,7 +68,7 @@ void draw_go_to(Frame& f) {
 }
 
 // An error or a notice, across the top until the next key.
-void draw_notices(Frame& f) {
+void draw_notices(FrameContext& f) {
   State& s = f.state;
   if (f.input.message != s.dismissed) s.dismissed.clear();
   const std::string& text = s.notice.empty() ? f.input.message : s.notice;
@@ -86,7 +85,7 @@ void draw_notices(Frame& f) {
   }
 }
 
-void draw_hidden_hint(Frame& f) {
+void draw_hidden_hint(FrameContext& f) {
   const Box& canvas = f.layout.canvas;
   const std::string_view hint = "F2 brings the panels back";
   const ImVec2 size = text_size(hint, f.type.small);

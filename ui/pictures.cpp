@@ -10,14 +10,14 @@ namespace gbl::ui {
 namespace {
 
 // An overlay is opaque: what is wholly below one need not be drawn at all.
-bool covered(const Frame& f, const Box& panel) {
+bool covered(const FrameContext& f, const Box& panel) {
   if (f.state.help) return true;
   if (f.state.beside() && side_box(f).contains(panel)) return true;
   if (f.state.options_page && options_box(f).contains(panel)) return true;
   return f.state.card && card_box(f).contains(panel);
 }
 
-void hover(Frame& f, View v, const Box& picture) {
+void hover(FrameContext& f, View v, const Box& picture) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;  // a whole screen pixel: its centre is meant
   const glm::dvec2 inside((mouse.x + 0.5 - picture.min.x) / picture.width(),
                           (mouse.y + 0.5 - picture.min.y) / picture.height());
@@ -28,7 +28,7 @@ void hover(Frame& f, View v, const Box& picture) {
 
 // Click: the chosen view. Double click: alone, or all again. Right click: hold the pixel, or let it go.
 // Drag on the large picture: look around.
-void use_mouse(Frame& f, View v, const Box& panel, const Box& picture) {
+void use_mouse(FrameContext& f, View v, const Box& panel, const Box& picture) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetCursorScreenPos(panel.min);
   const bool clicked = ImGui::InvisibleButton(row(v).id, panel.size());
@@ -52,7 +52,7 @@ void use_mouse(Frame& f, View v, const Box& panel, const Box& picture) {
 }
 
 // The same pixel in every picture: small, dark and light, so that it shows on both.
-void mark_pixel(Frame& f, const Box& picture, glm::ivec2 pixel) {
+void mark_pixel(FrameContext& f, const Box& picture, glm::ivec2 pixel) {
   const glm::vec2 at = (glm::vec2(pixel) + 0.5f) / glm::vec2(f.frame_size());
   const ImVec2 c{picture.min.x + at.x * picture.width(), picture.min.y + at.y * picture.height()};
   const float far = 8 * f.layout.unit, near = 3 * f.layout.unit;
@@ -64,7 +64,7 @@ void mark_pixel(Frame& f, const Box& picture, glm::ivec2 pixel) {
 }
 
 // A line with a dark backing, its lower left corner at `at`; returns its height.
-float backed_line(Frame& f, ImVec2 at, float width, ImU32 colour, float px, std::string_view text) {
+float backed_line(FrameContext& f, ImVec2 at, float width, ImU32 colour, float px, std::string_view text) {
   const float pad = std::round(px * 0.4f);
   px = f.painter.fit(text, {width - 2 * pad, px * 8}, px, true);
   const ImVec2 size = text_size(text, px, width - 2 * pad);
@@ -74,7 +74,7 @@ float backed_line(Frame& f, ImVec2 at, float width, ImU32 colour, float px, std:
 }
 
 // Over the large picture: d/r while and after gliding, the caption where the strip is taken, the app's banner.
-void draw_texts_on_main(Frame& f, const Box& panel) {
+void draw_texts_on_main(FrameContext& f, const Box& panel) {
   ImVec2 at{panel.min.x + 4, panel.max.y - 4};
   const std::optional<Light> light = picked_light(f.settings, f.input.lights);
   if (f.state.show_distance && light) {
@@ -94,7 +94,7 @@ void draw_texts_on_main(Frame& f, const Box& panel) {
   if (!f.input.banner.empty()) backed_line(f, at, panel.width() - 8, kAccent, f.type.body, f.input.banner);
 }
 
-void draw_panel(Frame& f, View v, const Box& panel) {
+void draw_panel(FrameContext& f, View v, const Box& panel) {
   const ViewImage& image = f.input.images[static_cast<size_t>(v)];
   f.requests.visible[static_cast<size_t>(v)] = why_missing(v, f.stored).empty();
   PanelLook look;
@@ -109,7 +109,7 @@ void draw_panel(Frame& f, View v, const Box& panel) {
 }
 
 template <class Do>
-void for_each_panel(Frame& f, Do what) {
+void for_each_panel(FrameContext& f, Do what) {
   for (int i = 0; i < kViewCount; ++i) {
     const std::optional<Box>& panel = f.layout.panels[static_cast<size_t>(i)];
     if (panel && !covered(f, *panel)) what(static_cast<View>(i), *panel);
@@ -118,7 +118,7 @@ void for_each_panel(Frame& f, Do what) {
 
 }  // namespace
 
-void draw_pictures(Frame& f) {
+void draw_pictures(FrameContext& f) {
   f.state.hovered.reset();
   f.state.hovered_pixel.reset();
   f.state.focused.reset();

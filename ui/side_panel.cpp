@@ -37,7 +37,7 @@ bool answers(const PanelKey& row, const KeyEvent& e) {
 
 }  // namespace
 
-Box side_box(const Frame& f) {
+Box side_box(const FrameContext& f) {
   const Box& canvas = f.layout.canvas;
   return {{canvas.min.x + std::round(800 * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
 }
@@ -48,7 +48,7 @@ void draw_keyed(Painter& p, const Box& box, float px, std::string_view key, ImU3
   p.text_in({{left, box.min.y + above_text(px)}, {box.max.x, box.max.y + px}}, px, colour, words);
 }
 
-void draw_panel_keys(Frame& f, Painter& p, const Box& box, std::span<const PanelKey> keys) {
+void draw_panel_keys(FrameContext& f, Painter& p, const Box& box, std::span<const PanelKey> keys) {
   float px = f.type.small;
   std::vector<Hint> hints = flow_of_hints(box, px, keys);
   while (px > kSmallestPx && hints.back().box.max.y > box.max.y) hints = flow_of_hints(box, px -= 1, keys);
@@ -62,7 +62,7 @@ void draw_panel_keys(Frame& f, Painter& p, const Box& box, std::span<const Panel
   }
 }
 
-bool press_in_panel(Frame& f, const KeyEvent& e, std::span<const PanelKey> keys) {
+bool press_in_panel(FrameContext& f, const KeyEvent& e, std::span<const PanelKey> keys) {
   if (e.ctrl) return false;
   for (const PanelKey& row : keys) {
     if (!answers(row, e)) continue;

@@ -9,7 +9,7 @@ namespace gbl::ui {
 struct PanelKey {
   const char* key;    // as printed
   const char* words;  // for the hint line
-  void (*run)(Frame&, const KeyEvent&);
+  void (*run)(FrameContext&, const KeyEvent&);
   const char* events = nullptr;  // names of its key events, with spaces between; null: the letter that is printed
   bool repeats = false;
 };
@@ -30,12 +30,12 @@ struct Shelf {
   }
 };
 
-Box side_box(const Frame&);
+Box side_box(const FrameContext&);
 void draw_keyed(Painter&, const Box&, float px, std::string_view key, ImU32 colour, std::string_view words);
 // The keys with their words, line after line, as large as they fit; a single key is a button as well.
-void draw_panel_keys(Frame&, Painter&, const Box&, std::span<const PanelKey>);
+void draw_panel_keys(FrameContext&, Painter&, const Box&, std::span<const PanelKey>);
 // True: the key was one of them.
-bool press_in_panel(Frame&, const KeyEvent&, std::span<const PanelKey>);
+bool press_in_panel(FrameContext&, const KeyEvent&, std::span<const PanelKey>);
 
 // One is open at a time: the wanted one opens or closes.
 void toggle_side(State&, bool& open);

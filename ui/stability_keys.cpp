@@ -7,12 +7,12 @@
 namespace gbl::ui {
 namespace {
 
-size_t curve_count(const Frame& f) {
+size_t curve_count(const FrameContext& f) {
   const SweepResult* result = stability_input(f).result;
   return result ? result->curves.size() : 0;
 }
 
-void step_sweep(Frame& f, const KeyEvent& e) {
+void step_sweep(FrameContext& f, const KeyEvent& e) {
   StabilityState& s = f.state.stability;
   const size_t n = sweeps().size();
   s.sweep = (s.sweep + (e.shift ? n - 1 : 1)) % n;
@@ -21,24 +21,24 @@ void step_sweep(Frame& f, const KeyEvent& e) {
   s.log_y.reset();
 }
 
-void run_or_stop(Frame& f, const KeyEvent&) {
+void run_or_stop(FrameContext& f, const KeyEvent&) {
   const bool running = stability_input(f).running;
   f.state.stability.run = !running, f.state.stability.stop = running;
 }
 
-void select_curve(Frame& f, const KeyEvent& e) {
+void select_curve(FrameContext& f, const KeyEvent& e) {
   if (const size_t n = curve_count(f); n > 0)
     f.state.stability.curve = (f.state.stability.curve + (e.key == "Up" ? n - 1 : 1)) % n;
 }
 
 // 1 … 8 are the first eight, with Shift the next.
-void switch_curve(Frame& f, const KeyEvent& e) {
+void switch_curve(FrameContext& f, const KeyEvent& e) {
   const auto number = static_cast<size_t>(e.key[0] - '1') + (e.shift ? 8 : 0);
   std::set<size_t>& hidden = f.state.stability.hidden;
   if (number < curve_count(f) && hidden.erase(number) == 0) hidden.insert(number);
 }
 
-void toggle_log(Frame& f, const KeyEvent&) { f.state.stability.log_y = !sweep_axes(f).y.logarithmic; }
+void toggle_log(FrameContext& f, const KeyEvent&) { f.state.stability.log_y = !sweep_axes(f).y.logarithmic; }
 
 constexpr PanelKey kKeys[] = {
     {"R", "run or stop", run_or_stop},
@@ -52,13 +52,13 @@ constexpr PanelKey kKeys[] = {
 }  // namespace
 
 std::span<const PanelKey> stability_keys() { return kKeys; }
-bool press_in_stability(Frame& f, const KeyEvent& e) { return press_in_panel(f, e, kKeys); }
-void toggle_stability(Frame& f, const KeyEvent&) { toggle_side(f.state, f.state.stability.open); }
+bool press_in_stability(FrameContext& f, const KeyEvent& e) { return press_in_panel(f, e, kKeys); }
+void toggle_stability(FrameContext& f, const KeyEvent&) { toggle_side(f.state, f.state.stability.open); }
 
-const Sweep& chosen_sweep(const Frame& f) { return sweeps()[f.state.stability.sweep]; }
+const Sweep& chosen_sweep(const FrameContext& f) { return sweeps()[f.state.stability.sweep]; }
 
 // Not what is shown still of the sweep before.
-const StabilityInput& stability_input(const Frame& f) {
+const StabilityInput& stability_input(const FrameContext& f) {
   static const StabilityInput kNone;
   const StabilityInput* in = f.input.stability;
   const bool other = in && in->result && in->result->sweep->id != std::string_view(chosen_sweep(f).id);

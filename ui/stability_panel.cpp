@@ -57,7 +57,7 @@ std::string outcome(const StabilityInput& in) {
                         : fmt::format("{} {} of {} statements DO NOT HOLD", kUnsoundSign, all - holding, all);
 }
 
-void draw_head(Frame& f, Painter& p, const Places& at) {
+void draw_head(FrameContext& f, Painter& p, const Places& at) {
   const StabilityInput& in = stability_input(f);
   const Sweep& s = chosen_sweep(f);
   const std::string out = outcome(in), progress = progress_text(in) + (out.empty() ? "" : "; " + out);
@@ -75,7 +75,7 @@ void draw_head(Frame& f, Painter& p, const Places& at) {
              fmt::format("{}/{} “{}”: {}", f.state.stability.sweep + 1, sweeps().size(), s.id, s.label));
 }
 
-std::vector<LegendRow> legend_rows(const Frame& f) {
+std::vector<LegendRow> legend_rows(const FrameContext& f) {
   std::vector<LegendRow> rows;
   const SweepResult* result = stability_input(f).result;
   if (!result || has_families(chosen_sweep(f))) return rows;
@@ -88,7 +88,7 @@ std::vector<LegendRow> legend_rows(const Frame& f) {
 }
 
 // A click chooses a curve, as the arrow keys do; the chosen one is framed.
-void use_legend(Frame& f, Painter& p, const std::vector<Box>& places) {
+void use_legend(FrameContext& f, Painter& p, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
     if (i == f.state.stability.curve)
       p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
@@ -111,7 +111,7 @@ std::pair<std::string, ImU32> mark_of(StatedLine::Mark m) {
 }
 
 // As many as there is room for, whole ones; of the others their number.
-void draw_stated(Frame& f, Painter& p, const Box& box) {
+void draw_stated(FrameContext& f, Painter& p, const Box& box) {
   const std::vector<StatedLine> lines = stated_lines(f);
   p.fill(box, kSurface, 4);
   const Box room = box.inset(std::round(f.type.small * 0.6f));
@@ -151,7 +151,7 @@ void draw_stated(Frame& f, Painter& p, const Box& box) {
 
 }  // namespace
 
-void draw_stability(Frame& f) {
+void draw_stability(FrameContext& f) {
   StabilityState& s = f.state.stability;
   const Sweep& sweep = chosen_sweep(f);
   f.requests.stability = {s.open, sweep.id, std::exchange(s.run, false), std::exchange(s.stop, false)};

@@ -30,7 +30,7 @@ float line_width(size_t i, size_t count) {
   return 1.5f + 4.5f * static_cast<float>(count - 1 - i) / static_cast<float>(std::max<size_t>(count, 2) - 1);
 }
 
-void draw_empty(Frame& f, Painter& p, const Box& frame) {
+void draw_empty(FrameContext& f, Painter& p, const Box& frame) {
   const char* text =
       stability_input(f).running ? "Measuring: the first point is about to appear …" : "R measures this sweep.";
   const float px = p.fit(text, {frame.width() * 0.8f, frame.height()}, f.type.large, false);
@@ -44,7 +44,7 @@ bool curve_on(const StabilityState& s, size_t curve) { return !s.hidden.contains
 SeriesLook curve_look(size_t curve) { return series_look(curve); }
 
 // The parameter's axis is that of the whole sweep: it stands still while points arrive.
-SweepAxes sweep_axes(const Frame& f) {
+SweepAxes sweep_axes(const FrameContext& f) {
   const Sweep& s = chosen_sweep(f);
   SweepAxes out;
   out.x = axis_for({.more_is_better = !s.log_axis}, s.values());
@@ -70,7 +70,7 @@ SweepAxes sweep_axes(const Frame& f) {
   return out;
 }
 
-void draw_sweep_curves(Frame& f, Painter& p, Plot& plot) {
+void draw_sweep_curves(FrameContext& f, Painter& p, Plot& plot) {
   const StabilityState& s = f.state.stability;
   const SweepResult* result = stability_input(f).result;
   const SweepAxes axes = sweep_axes(f);
@@ -94,7 +94,7 @@ void draw_sweep_curves(Frame& f, Painter& p, Plot& plot) {
 }
 
 // A line per variant: of each family how many configurations had a wrong pixel, and how much light was lost.
-void draw_sweep_families(Frame& f, Painter& p, const Box& box) {
+void draw_sweep_families(FrameContext& f, Painter& p, const Box& box) {
   const SweepResult* result = stability_input(f).result;
   if (!result || stability_input(f).done == 0) return draw_empty(f, p, box);
   const size_t lines = result->curves.size() + 1;
@@ -139,7 +139,7 @@ void draw_sweep_families(Frame& f, Painter& p, const Box& box) {
   }
 }
 
-std::vector<StatedLine> stated_lines(const Frame& f) {
+std::vector<StatedLine> stated_lines(const FrameContext& f) {
   const StabilityInput& in = stability_input(f);
   std::vector<StatedLine> lines;
   if (!in.result) return lines;

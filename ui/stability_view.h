@@ -5,8 +5,8 @@
 
 namespace gbl::ui {
 
-const StabilityInput& stability_input(const Frame&);  // an empty one where nothing is ever measured
-const Sweep& chosen_sweep(const Frame&);
+const StabilityInput& stability_input(const FrameContext&);  // an empty one where nothing is ever measured
+const Sweep& chosen_sweep(const FrameContext&);
 std::span<const PanelKey> stability_keys();
 
 // The error's axis. Values that are not finite stand at its upper end.
@@ -14,7 +14,7 @@ struct SweepAxes {
   ChartAxis x, y;
   bool not_finite = false;  // there are such values
 };
-SweepAxes sweep_axes(const Frame&);
+SweepAxes sweep_axes(const FrameContext&);
 
 bool curve_on(const StabilityState&, size_t curve);
 SeriesLook curve_look(size_t curve);
@@ -25,9 +25,9 @@ struct StatedLine {
   std::string text;
   enum class Mark { open, holds, fails, not_drawn } mark;
 };
-std::vector<StatedLine> stated_lines(const Frame&);
+std::vector<StatedLine> stated_lines(const FrameContext&);
 
-void draw_sweep_curves(Frame&, Painter&, Plot&);
-void draw_sweep_families(Frame&, Painter&, const Box&);  // bars instead of curves
+void draw_sweep_curves(FrameContext&, Painter&, Plot&);
+void draw_sweep_families(FrameContext&, Painter&, const Box&);  // bars instead of curves
 
 }  // namespace gbl::ui

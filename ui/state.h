@@ -78,7 +78,7 @@ struct State {
   std::vector<std::string> cut_texts;
 };
 
-struct Frame {
+struct FrameContext {
   State& state;
   Settings& settings;
   const Input& input;
@@ -101,40 +101,40 @@ struct Frame {
 };
 
 // ---- the one way to change something: keys and widgets alike get a caption and an Error becomes a notice ------
-void say(Frame&, Sentence);
-void edit(Frame&, const std::function<void(Settings&)>& change);
-void edit_option(Frame&, const Option&, const Json& value);
-void step_option(Frame&, const Option&, int step);  // choices cycle, whole numbers double and halve
-void choose_preset(Frame&, int index);
-void show_view(Frame&, View);  // alone; again: all views
+void say(FrameContext&, Sentence);
+void edit(FrameContext&, const std::function<void(Settings&)>& change);
+void edit_option(FrameContext&, const Option&, const Json& value);
+void step_option(FrameContext&, const Option&, int step);  // choices cycle, whole numbers double and halve
+void choose_preset(FrameContext&, int index);
+void show_view(FrameContext&, View);  // alone; again: all views
 
 void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
-void advance_motion(Frame&);                     // time, glide and camera keys, once a frame
+void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
 
 // ---- panels, one function each ------------------------------------------------------------------------------
-void draw_pictures(Frame&);
-void draw_error_numbers(Frame&, const Box& panel);  // on the error or reference view, if it is the large one
-void draw_strip(Frame&);
-void draw_lesson(Frame&, const Box&);
-void draw_control_column(Frame&);
-void draw_status_bar(Frame&);
-void draw_options_panel(Frame&);
-void draw_chart(Frame&);
-void draw_stability(Frame&);
-void draw_advisor(Frame&);
-void draw_card(Frame&);
-void draw_help(Frame&);
-void draw_chooser(Frame&);
-void draw_go_to(Frame&);
-void draw_notices(Frame&);
-void draw_hidden_hint(Frame&);
-Box options_box(const Frame&);
-Box card_box(const Frame&);
+void draw_pictures(FrameContext&);
+void draw_error_numbers(FrameContext&, const Box& panel);  // on the error or reference view, if it is the large one
+void draw_strip(FrameContext&);
+void draw_lesson(FrameContext&, const Box&);
+void draw_control_column(FrameContext&);
+void draw_status_bar(FrameContext&);
+void draw_options_panel(FrameContext&);
+void draw_chart(FrameContext&);
+void draw_stability(FrameContext&);
+void draw_advisor(FrameContext&);
+void draw_card(FrameContext&);
+void draw_help(FrameContext&);
+void draw_chooser(FrameContext&);
+void draw_go_to(FrameContext&);
+void draw_notices(FrameContext&);
+void draw_hidden_hint(FrameContext&);
+Box options_box(const FrameContext&);
+Box card_box(const FrameContext&);
 float status_height(const Type&);
 
 // A widget in a box: a choice's combo (unsound rows marked, unavailable ones disabled with the reason).
-void draw_choice(Frame&, const Option&, const Box&, float px);
+void draw_choice(FrameContext&, const Option&, const Box&, float px);
 std::string sound_mark(const Option&, const Settings&);  // "⚠ unsound: pitfall" or ""
 
 // The all-options panel: its pages, and the letter that selects an option on its page ("" = it has a key of its own).
@@ -143,7 +143,7 @@ std::vector<const Option*> options_on_page(int page);
 std::string option_letter(const std::vector<const Option*>& page, const Option&);
 
 // A line to type in, over the whole box; true when Enter was pressed in it. It loses the keyboard then.
-bool draw_text_field(Frame&, const char* id, const Box&, float px, char* buffer, size_t size, bool focus);
+bool draw_text_field(FrameContext&, const char* id, const Box&, float px, char* buffer, size_t size, bool focus);
 
 // A window for overlays: fixed, above the pictures, without any decoration.
 bool begin_overlay(const char* id, const Box&, ImU32 background);

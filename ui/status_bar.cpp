@@ -31,7 +31,7 @@ std::string three(const glm::vec3& v, int digits) {
   return fmt::format("{:.{}f} {:.{}f} {:.{}f}", v.x, digits, v.y, digits, v.z, digits);
 }
 
-std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
+std::string pixel_in_words(const FrameContext& f, const PixelProbe& p) {
   std::string text = fmt::format("pixel {}, {}", p.pixel.x, p.pixel.y);
   if (!p.object_name.empty()) text += fmt::format("   {}", p.object_name);
   if (!p.surface) return text + "   no surface: the background";
@@ -45,7 +45,7 @@ std::string pixel_in_words(const Frame& f, const PixelProbe& p) {
   return text;
 }
 
-std::string right_text(const Frame& f) {
+std::string right_text(const FrameContext& f) {
   std::string text;
   if (const ChartInput* c = f.input.chart; c && !c->running.empty() && !f.state.chart.open)
     text += fmt::format("F3: study “{}” {}/{}   ", c->running, c->done, c->total);
@@ -58,7 +58,7 @@ std::string right_text(const Frame& f) {
 
 float status_height(const Type& type) { return std::round(type.small * 1.92f); }
 
-void draw_status_bar(Frame& f) {
+void draw_status_bar(FrameContext& f) {
   const Box& bar = f.layout.status;
   f.painter.fill(bar, kSurface);
   const float px = f.type.small, pad = px * 0.8f, y = std::floor((bar.min.y + bar.max.y - px * 1.17f) / 2);

@@ -46,7 +46,7 @@ size_t columns_of(const std::vector<std::string>& lines) { return (lines.size() 
 
 // Fill → Light → Combine, each with the targets that it writes; all lines in one size, each box as wide as it needs
 // and a third of what is left over. Returns the height used.
-float draw_flow(Frame& f, const Box& room, float most_height) {
+float draw_flow(FrameContext& f, const Box& room, float most_height) {
   const std::vector<Attachment> all = attachments(f.stored);
   const std::vector<std::string> lines[] = {targets_of(all, kFlow[0]), targets_of(all, kFlow[1]),
                                             targets_of(all, kFlow[2])};
@@ -81,7 +81,7 @@ float draw_flow(Frame& f, const Box& room, float most_height) {
   return height();
 }
 
-void draw_caption(Frame& f, const Box& room) {
+void draw_caption(FrameContext& f, const Box& room) {
   const Sentence& s = f.state.caption->sentence;
   const float bar = std::round(5 * f.layout.unit);
   f.painter.fill({room.min, {room.min.x + bar, room.max.y}}, s.pitfall.empty() ? kAccent : kUnsound);
@@ -91,7 +91,7 @@ void draw_caption(Frame& f, const Box& room) {
   draw_paragraphs(f.painter, {{room.min.x + 3 * bar, room.min.y}, room.max}, paragraphs, 2);
 }
 
-void draw_sentences(Frame& f, const Box& room) {
+void draw_sentences(FrameContext& f, const Box& room) {
   const ViewRow& v = row(f.chosen());
   const Preset* now = preset_of(f.settings);
   const bool start = now && std::string_view(now->id) == "start";
@@ -103,7 +103,7 @@ void draw_sentences(Frame& f, const Box& room) {
 
 }  // namespace
 
-void draw_strip(Frame& f) {
+void draw_strip(FrameContext& f) {
   if (f.state.lesson) return draw_lesson(f, f.layout.strip);
   const Box room = f.layout.strip.inset(std::round(10 * f.layout.unit));
   const float used = draw_flow(f, room, room.height() * 0.57f) + std::round(8 * f.layout.unit);

@@ -37,7 +37,7 @@ void begin_root(ImVec2 display) {
 }
 
 // Keys change what the layout is made from: afterwards the frame is measured again.
-void take_input(Frame& f, const std::vector<KeyEvent>& keys) {
+void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
   f.state.entered = false;
   for (const KeyEvent& e : keys) dispatch(f, e);
@@ -60,7 +60,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   s.cut_texts.clear();
   Requests requests;
   begin_root(ImGui::GetIO().DisplaySize);
-  Frame f{s, settings, input, requests, {}, {}, Painter(*ImGui::GetWindowDrawList(), s.cut_texts)};
+  FrameContext f{s, settings, input, requests, {}, {}, Painter(*ImGui::GetWindowDrawList(), s.cut_texts)};
   f.type = type_of(s);
   f.layout = make_layout(layout_input(s, settings, f.type));
   take_input(f, keys);

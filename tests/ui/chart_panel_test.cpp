@@ -399,7 +399,7 @@ struct Model {
   Requests requests;
   State state;
   Input input;
-  Frame frame;
+  FrameContext frame;
 };
 
 TEST(ChartViews, FamiliesThatAreOffLeaveThePlotAndTheFront) {

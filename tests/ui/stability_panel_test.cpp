@@ -172,7 +172,7 @@ struct Model {
   Requests requests;
   State state;
   Input input;
-  Frame frame;
+  FrameContext frame;
 };
 
 TEST(StabilityViews, TheSelectedCurvesStatementsComeFirstThenThoseThatFail) {
