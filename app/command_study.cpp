@@ -58,7 +58,7 @@ void print_left_out(const StudyPlan& plan) {
   if (invalid > 5) fmt::print(stderr, "gbufferlab: and {} more cases that this device cannot draw\n", invalid - 5);
 }
 
-Json measured_row(Lab& lab, Bench& bench, const Settings& s) {
+Json measured_columns(Lab& lab, Bench& bench, const Settings& s) {
   require_valid(s, lab.limits());
   lab.open(s.scene);
   bench.start(s, lab.gpu_scene(), {});
@@ -82,8 +82,8 @@ ExitCode run_study_command(const Arguments& a) {
   Bench bench(lab.renderer(), lab.cost(), lab.machine(), 3);
   const InterruptScope scope;
   const StudyCounts counts = run_study(
-      plan, shard, journal, [&](const StudyCase& c) { return measured_row(lab, bench, c.settings); }, print_progress,
-      interrupted);
+      plan, shard, journal, [&](const StudyCase& c) { return measured_columns(lab, bench, c.settings); },
+      print_progress, interrupted);
   write_study_files(folder, spec, journal.rows(), lab.machine());
   const std::string summary = fmt::format("{}: {} rows measured, {} found, {} failed, {} left", spec.name,
                                           counts.measured, counts.before, counts.failed, counts.left);
