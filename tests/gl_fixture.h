@@ -7,6 +7,7 @@
 
 #include "app/headless.h"
 #include "renderer/gl/device.h"
+#include "renderer/gl/misuse.h"
 #include "renderer/options/presets.h"
 #include "renderer/passes/frame.h"
 #include "renderer/scenes/builtin_scenes.h"
@@ -23,7 +24,10 @@ class GlTest : public ::testing::Test {
     gl::probe_device({});
     glGetError();
   }
-  void TearDown() override { EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)); }
+  void TearDown() override {
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    for (const std::string& what : gl::take_misuse()) ADD_FAILURE() << what;
+  }
 };
 
 // A yard of 40 x 40 on y = 0 with boxes, a ball, and walls towards all four sides: cheap to draw, and unlike flat

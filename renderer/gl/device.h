@@ -15,6 +15,7 @@ struct Device {
   bool software = false;  // a CPU rasteriser: its times say nothing about a GPU
   int max_size = 0;       // of a texture and viewport, pixels a side
   int max_draw_buffers = 0;
+  int max_texture_units = 0;  // of all stages together
   int time_query_bits = 0;
 };
 

@@ -15,6 +15,9 @@ GLuint create_name(Kind kind) {
     case Kind::renderbuffer: glGenRenderbuffers(1, &id); break;
     case Kind::program: id = glCreateProgram(); break;
     case Kind::query: glGenQueries(1, &id); break;
+    case Kind::vertex_shader: id = glCreateShader(GL_VERTEX_SHADER); break;
+    case Kind::fragment_shader: id = glCreateShader(GL_FRAGMENT_SHADER); break;
+    case Kind::compute_shader: id = glCreateShader(GL_COMPUTE_SHADER); break;
   }
   ++g_live;
   return id;
@@ -29,6 +32,9 @@ void delete_name(Kind kind, GLuint id) {
     case Kind::renderbuffer: glDeleteRenderbuffers(1, &id); break;
     case Kind::program: glDeleteProgram(id); break;
     case Kind::query: glDeleteQueries(1, &id); break;
+    case Kind::vertex_shader:
+    case Kind::fragment_shader:
+    case Kind::compute_shader: glDeleteShader(id); break;
   }
   --g_live;
 }

@@ -6,7 +6,18 @@
 
 namespace gbl::gl {
 
-enum class Kind { texture, buffer, vertex_array, framebuffer, renderbuffer, program, query };
+enum class Kind {
+  texture,
+  buffer,
+  vertex_array,
+  framebuffer,
+  renderbuffer,
+  program,
+  query,
+  vertex_shader,
+  fragment_shader,
+  compute_shader
+};
 
 GLuint create_name(Kind);
 void delete_name(Kind, GLuint);

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include "renderer/gl/device.h"
+#include "renderer/gl/texture_units.h"
 
 namespace gbl::gl {
 namespace {
@@ -78,7 +79,7 @@ void apply(const PassState& s) {
   glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
   glDisable(GL_PRIMITIVE_RESTART);
   glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  for (unsigned unit = 0; unit < 24; ++unit) glBindSampler(unit, 0);
+  for (int unit = 0; unit < units_in_use(); ++unit) glBindSampler(static_cast<GLuint>(unit), 0);
 }
 
 }  // namespace gbl::gl

@@ -1,13 +1,15 @@
 #include "renderer/gl/program.h"
 
 #include <algorithm>
+#include <cassert>
 #include <fmt/format.h>
 #include <regex>
 #include <sstream>
 
 #include "renderer/base/error.h"
 #include "renderer/base/resources.h"
-#include "renderer/gl/texture.h"
+#include "renderer/gl/misuse.h"
+#include "renderer/gl/texture_units.h"
 
 namespace gbl::gl {
 namespace {
@@ -33,18 +35,68 @@ void append_file(ShaderText& out, const std::string& name) {
   }
 }
 
-GLuint compile_stage(GLenum stage, const ShaderText& text) {
-  const GLuint shader = glCreateShader(stage);
-  const char* parts[] = {stage == GL_COMPUTE_SHADER ? kComputePrelude : kPrelude, text.body.c_str()};
-  glShaderSource(shader, 2, parts, nullptr);
-  glCompileShader(shader);
+// The driver's text in full: `length` is glGetShaderiv or glGetProgramiv, `log` the call that goes with it.
+std::string info_log(GLuint id, decltype(glGetShaderiv) length, decltype(glGetShaderInfoLog) log) {
+  GLint bytes = 0;  // with the 0 at the end
+  length(id, GL_INFO_LOG_LENGTH, &bytes);
+  std::string text(static_cast<size_t>(std::max(bytes, 1)), '\0');
+  GLsizei written = 0;
+  log(id, static_cast<GLsizei>(text.size()), &written, text.data());
+  text.resize(static_cast<size_t>(written));
+  return text;
+}
+
+template <Kind kStage>
+Object<kStage> compile_stage(const ShaderText& text) {
+  auto shader = Object<kStage>::make();
+  const char* parts[] = {kStage == Kind::compute_shader ? kComputePrelude : kPrelude, text.body.c_str()};
+  glShaderSource(shader.id(), 2, parts, nullptr);
+  glCompileShader(shader.id());
   GLint ok = 0;
-  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-  if (ok) return shader;
-  char log[4096] = {};
-  glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-  glDeleteShader(shader);
-  throw Error(ExitCode::bad_input, "", readable_log(log, text), "mend the shader; it is read again when saved");
+  glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
+  if (!ok)
+    throw Error(ExitCode::bad_input, "", readable_log(info_log(shader.id(), glGetShaderiv, glGetShaderInfoLog), text),
+                "fix the shader; it is read again when saved");
+  return shader;
+}
+
+// clang-format off
+constexpr GLenum kSamplerTypes[] = {  // of GLSL 3.30
+    GL_SAMPLER_1D, GL_SAMPLER_2D, GL_SAMPLER_3D, GL_SAMPLER_CUBE, GL_SAMPLER_1D_ARRAY, GL_SAMPLER_2D_ARRAY,
+    GL_SAMPLER_2D_RECT, GL_SAMPLER_BUFFER, GL_SAMPLER_2D_MULTISAMPLE, GL_SAMPLER_2D_MULTISAMPLE_ARRAY,
+    GL_SAMPLER_1D_SHADOW, GL_SAMPLER_2D_SHADOW, GL_SAMPLER_CUBE_SHADOW, GL_SAMPLER_1D_ARRAY_SHADOW,
+    GL_SAMPLER_2D_ARRAY_SHADOW, GL_SAMPLER_2D_RECT_SHADOW,
+    GL_INT_SAMPLER_1D, GL_INT_SAMPLER_2D, GL_INT_SAMPLER_3D, GL_INT_SAMPLER_CUBE, GL_INT_SAMPLER_1D_ARRAY,
+    GL_INT_SAMPLER_2D_ARRAY, GL_INT_SAMPLER_2D_RECT, GL_INT_SAMPLER_BUFFER, GL_INT_SAMPLER_2D_MULTISAMPLE,
+    GL_INT_SAMPLER_2D_MULTISAMPLE_ARRAY,
+    GL_UNSIGNED_INT_SAMPLER_1D, GL_UNSIGNED_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_3D, GL_UNSIGNED_INT_SAMPLER_CUBE,
+    GL_UNSIGNED_INT_SAMPLER_1D_ARRAY, GL_UNSIGNED_INT_SAMPLER_2D_ARRAY, GL_UNSIGNED_INT_SAMPLER_2D_RECT,
+    GL_UNSIGNED_INT_SAMPLER_BUFFER, GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE,
+    GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY};
+// clang-format on
+
+UniformNames declared_in(std::initializer_list<const ShaderText*> texts) {
+  UniformNames all;
+  if (kReportsMisuse)
+    for (const ShaderText* t : texts) all.merge(declared_uniforms(t->body));
+  return all;
+}
+
+// Each sampler that the program reads is told its unit.
+void assign_units(GLuint program) {
+  glUseProgram(program);
+  GLint count = 0, longest = 0;
+  glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+  glGetProgramiv(program, GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
+  std::string name(static_cast<size_t>(longest), '\0');
+  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+    GLint elements = 0;
+    GLenum type = 0;
+    glGetActiveUniform(program, i, longest, nullptr, &elements, &type, name.data());
+    if (std::find(std::begin(kSamplerTypes), std::end(kSamplerTypes), type) == std::end(kSamplerTypes)) continue;
+    assert(elements == 1 && "a texture is bound to one name");
+    glUniform1i(glGetUniformLocation(program, name.c_str()), unit_of(name.c_str()));
+  }
 }
 
 }  // namespace
@@ -69,38 +121,59 @@ std::string readable_log(std::string_view log, const ShaderText& text) {
   return fmt::format("{}: {}", text.name, log);
 }
 
-GLint Program::uniform(const char* name) const {
-  const auto found = locations_.find(std::string_view(name));
-  if (found != locations_.end()) return found->second;
-  return locations_.emplace(name, glGetUniformLocation(name_.id(), name)).first->second;
+UniformNames declared_uniforms(std::string_view text) {
+  UniformNames names;
+  std::istringstream words{std::string(text)};
+  for (std::string word; words >> word;) {
+    if (word != "uniform") continue;
+    words >> word >> word;  // type and name
+    names.insert(word.substr(0, word.find_first_of(";[")));
+  }
+  return names;
 }
 
-// The stages are let go of, whatever happens.
-Program link(std::string_view name, std::span<const GLuint> stages) {
+GLint Program::location(const char* name, bool may_be_unused) const {
+  const auto found = locations_.find(std::string_view(name));
+  if (found != locations_.end()) return found->second;
+  const GLint location = glGetUniformLocation(id(), name);
+  const bool declared = declared_.find(std::string_view(name)) != declared_.end();
+  if (kReportsMisuse && location < 0 && !(may_be_unused && declared))
+    report_misuse(fmt::format("{}: uniform '{}' is {}", label_, name, declared ? "not used" : "not declared"));
+  return locations_.emplace(name, location).first->second;
+}
+
+GLint Program::uniform(const char* name) const { return location(name, false); }
+GLint Program::find_uniform(const char* name) const { return location(name, true); }
+
+Program link(std::string_view label, std::span<const GLuint> stages, UniformNames declared) {
   Program p;
   p.name_ = Object<Kind::program>::make();
+  p.label_ = label;
+  p.declared_ = std::move(declared);
   for (const GLuint s : stages) glAttachShader(p.id(), s);
   glLinkProgram(p.id());
-  for (const GLuint s : stages) glDetachShader(p.id(), s), glDeleteShader(s);
+  for (const GLuint s : stages) glDetachShader(p.id(), s);
   GLint ok = 0;
   glGetProgramiv(p.id(), GL_LINK_STATUS, &ok);
-  if (!ok) {
-    char log[4096] = {};
-    glGetProgramInfoLog(p.id(), sizeof log, nullptr, log);
-    throw Error(ExitCode::bad_input, fmt::format("shaders/{}", name), log);
-  }
-  set_label(GL_PROGRAM, p.id(), name);
+  if (!ok)
+    throw Error(ExitCode::bad_input, fmt::format("shaders/{}", label),
+                info_log(p.id(), glGetProgramiv, glGetProgramInfoLog));
+  assign_units(p.id());
+  set_label(GL_PROGRAM, p.id(), label);
   return p;
 }
 
 Program compile_program(const ShaderText& vertex, const ShaderText& fragment) {
-  const GLuint stages[] = {compile_stage(GL_VERTEX_SHADER, vertex), compile_stage(GL_FRAGMENT_SHADER, fragment)};
-  return link(fmt::format("{} + {}", vertex.name, fragment.name), stages);
+  const auto first = compile_stage<Kind::vertex_shader>(vertex);
+  const auto second = compile_stage<Kind::fragment_shader>(fragment);
+  const GLuint stages[] = {first.id(), second.id()};
+  return link(fmt::format("{} + {}", vertex.name, fragment.name), stages, declared_in({&vertex, &fragment}));
 }
 
 Program compile_compute_program(const ShaderText& text) {
-  const GLuint stages[] = {compile_stage(GL_COMPUTE_SHADER, text)};
-  return link(text.name, stages);
+  const auto stage = compile_stage<Kind::compute_shader>(text);
+  const GLuint stages[] = {stage.id()};
+  return link(text.name, stages, declared_in({&text}));
 }
 
 }  // namespace gbl::gl

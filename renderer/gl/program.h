@@ -2,6 +2,7 @@
 // Programs from shader files with #include and compile-time variants; errors point into our files.
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,14 +33,24 @@ ShaderText load_shader(std::string_view name, const Defines&);
 // "0:12(5): error: …" of Mesa or "0(12) : error …" of others -> "shaders/surface.glsl:12: error: …".
 std::string readable_log(std::string_view log, const ShaderText&);
 
+using UniformNames = std::set<std::string, std::less<>>;
+UniformNames declared_uniforms(std::string_view text);  // under whichever #if they stand
+
+// Its samplers read the texture units of their names, see texture_units.h.
 class Program {
  public:
   GLuint id() const { return name_.id(); }
-  GLint uniform(const char* name) const;  // -1 if the variant does not use it (GL then ignores the value)
+  // Where a value is set. A program without it ignores the value, and the misuse is reported (misuse.h).
+  GLint uniform(const char* name) const;
+  // The same for a uniform that some variants of the shader do not use: it need only be declared.
+  GLint find_uniform(const char* name) const;
 
  private:
-  friend Program link(std::string_view name, std::span<const GLuint> stages);
+  friend Program link(std::string_view label, std::span<const GLuint> stages, UniformNames declared);
+  GLint location(const char* name, bool may_be_unused) const;
   Object<Kind::program> name_;
+  std::string label_;
+  UniformNames declared_;  // for reports of misuse; else empty
   mutable std::map<std::string, GLint, std::less<>> locations_;
 };
 

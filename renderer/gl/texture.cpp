@@ -146,14 +146,10 @@ void state_pixel_storage() {
 }
 
 void write_texels(const Texture& t, const void* rgba32f) {
+  glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, t.id());
   state_pixel_storage();
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, t.size.x, t.size.y, GL_RGBA, GL_FLOAT, rgba32f);
-}
-
-void bind_texture(int unit, const Texture& t) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glBindTexture(GL_TEXTURE_2D, t.id());
 }
 
 }  // namespace gbl::gl

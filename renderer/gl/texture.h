@@ -61,8 +61,6 @@ Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colo
 // All texels from memory: rows bottom to top, four floats each, into a float format.
 void write_texels(const Texture&, const void* rgba32f);
 
-void bind_texture(int unit, const Texture&);
-
 // Before texels are taken from or put into memory: rows without gaps, and memory is memory, not a buffer object.
 void state_pixel_storage();
 

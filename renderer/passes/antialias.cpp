@@ -14,7 +14,7 @@ int draw_edge_blur(const Frame& frame) {
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   begin_drawing(lit, size, {});
   bind_gbuffer(frame);
-  gl::bind_texture(kLitUnit, unblurred.texture);
+  gl::bind_texture("lit", unblurred.texture);
   glUseProgram(frame.programs.get("fullscreen.vert", "edge_blur.frag", frame.defines()).id());
   frame.shapes.draw_fullscreen();
   return 1;

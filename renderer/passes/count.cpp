@@ -36,8 +36,8 @@ void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& ta
   }
   Canvas& sums = targets.count_sums();
   begin_drawing(sums.framebuffer, sums.texture.size, {});
-  gl::bind_texture(kCountUnit, targets.counts().texture);
-  gl::bind_texture(kLitUnit, targets.counts_lit().texture);
+  gl::bind_texture("counts", targets.counts().texture);
+  gl::bind_texture("counts_lit", targets.counts_lit().texture);
   glUseProgram(programs_.get("fullscreen.vert", "count_reduce.frag", {}).id());
   shapes_.draw_fullscreen();
   targets.count_read.start(sums.texture);
@@ -56,9 +56,9 @@ void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& ta
   begin_drawing(canvas.framebuffer, canvas.texture.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture(kLitUnit, *targets.texture(Stores::lit));
-  gl::bind_texture(kCountUnit, targets.counts().texture);
-  gl::bind_texture(kIdUnit, targets.ids().texture);
+  gl::bind_texture("lit", *targets.texture(Stores::lit));
+  gl::bind_texture("counts", targets.counts().texture);
+  gl::bind_texture("ids", targets.ids().texture);
   glUseProgram(program.id());
   glUniform2i(program.uniform("pixel"), pixel.x, s.size.y - 1 - pixel.y);
   shapes_.draw_fullscreen();

@@ -41,7 +41,7 @@ int draw_shaded_objects(const Frame& frame, const std::vector<ObjectDraw>& draws
   const glm::ivec2 span = glm::min(draw.lights, glm::ivec2(light_count(frame)));
   return draw_objects(frame, draws, "forward.frag", defines, [&](const gl::Program& program) {
     glUniform2i(program.uniform("light_span"), span.x, span.y);
-    glUniform1f(program.uniform("ambient_share"), draw.ambient ? 1 : 0);
+    glUniform1f(program.find_uniform("ambient_share"), draw.ambient ? 1 : 0);
   });
 }
 

@@ -15,7 +15,7 @@ void upload_words(gl::Texture& texture, std::span<const uint32_t> words) {
     texture = gl::make_texture(
         {.size = {kListTextureWidth, 1 + rows + rows / 4}, .format = Format::r32ui, .label = "light lists"});
   const gl::GlFormat& f = gl::gl_format(Format::r32ui);
-  gl::bind_texture(kLightListUnit, texture);
+  gl::bind_texture("light_lists", texture);
   gl::state_pixel_storage();
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kListTextureWidth, rows, f.format, f.type, words.data());
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, rows, rest, 1, f.format, f.type, words.last(rest).data());
@@ -43,7 +43,7 @@ int draw_clustered_lights(const LightingPass& pass) {
               static_cast<float>(clusters.slice_offset()));
   glUniform2i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_start()),
               static_cast<int>(clusters.everywhere().size()));
-  gl::bind_texture(kLightListUnit, frame.targets.light_lists);
+  gl::bind_texture("light_lists", frame.targets.light_lists);
   frame.shapes.draw_fullscreen();
   return 1;
 }

@@ -80,18 +80,18 @@ gl::Defines material_defines(const Settings& s, const Material& m) {
 void bind_material(const Frame& frame, const gl::Program& program, const Material& m) {
   const GpuScene& scene = frame.scene;
   const Colour colour = frame.settings.colour;
-  gl::bind_texture(kBaseColourUnit, scene.colour_texture(m.base_colour_texture.texture, colour));
-  gl::bind_texture(kNormalMapUnit, scene.normal_texture(m.normal_texture.texture));
-  gl::bind_texture(kRoughnessUnit, scene.data_texture(m.roughness_texture.texture));
-  gl::bind_texture(kEmissiveUnit, scene.colour_texture(m.emissive_texture.texture, colour));
-  gl::bind_texture(kOcclusionUnit, scene.data_texture(m.occlusion_texture.texture));
+  gl::bind_texture("base_colour_map", scene.colour_texture(m.base_colour_texture.texture, colour));
+  gl::bind_texture("normal_map", scene.normal_texture(m.normal_texture.texture));
+  gl::bind_texture("roughness_map", scene.data_texture(m.roughness_texture.texture));
+  gl::bind_texture("emissive_map", scene.colour_texture(m.emissive_texture.texture, colour));
+  gl::bind_texture("occlusion_map", scene.data_texture(m.occlusion_texture.texture));
   const glm::vec4 base(colour_factor(glm::vec3(m.base_colour), colour), m.base_colour.a);
   const glm::vec4 factors(m.roughness, m.metal, m.normal_scale,
                           m.occlusion_texture.texture == kNoTexture ? 0 : m.occlusion_strength);
-  glUniform4fv(program.uniform("base_colour"), 1, glm::value_ptr(base));
-  glUniform4fv(program.uniform("factors"), 1, glm::value_ptr(factors));
-  glUniform3fv(program.uniform("emissive"), 1, glm::value_ptr(m.emissive));
-  glUniform1f(program.uniform("alpha_cutoff"), m.alpha_cutoff);
+  glUniform4fv(program.find_uniform("base_colour"), 1, glm::value_ptr(base));
+  glUniform4fv(program.find_uniform("factors"), 1, glm::value_ptr(factors));
+  glUniform3fv(program.find_uniform("emissive"), 1, glm::value_ptr(m.emissive));
+  glUniform1f(program.find_uniform("alpha_cutoff"), m.alpha_cutoff);
   if (plain_uvs(m)) return;
   const MaterialTextures textures = textures_of(m);
   glm::mat3 transforms[MATERIAL_TEXTURES];
@@ -100,8 +100,8 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
     transforms[k] = textures.use[k]->uv_transform;
     sets[k] = textures.use[k]->uv_set;
   }
-  glUniformMatrix3fv(program.uniform("uv_transform"), MATERIAL_TEXTURES, GL_FALSE, glm::value_ptr(transforms[0]));
-  glUniform1iv(program.uniform("uv_set"), MATERIAL_TEXTURES, sets);
+  glUniformMatrix3fv(program.find_uniform("uv_transform"), MATERIAL_TEXTURES, GL_FALSE, glm::value_ptr(transforms[0]));
+  glUniform1iv(program.find_uniform("uv_set"), MATERIAL_TEXTURES, sets);
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
   }
   std::stable_sort(by_rank.begin(), by_rank.end(), [](auto& a, auto& b) { return a.first < b.first; });
   for (const auto& [key, draw] : by_rank) draws.push_back(draw);
-  if (!draws.empty()) upload_records(frame.targets.instance_data, records, kInstanceUnit, "instances");
+  if (!draws.empty()) upload_records(frame.targets.instance_data, records, "instance_data", "instances");
   return draws;
 }
 
@@ -134,7 +134,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
                  const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms,
                  Corners corners) {
   if (draws.empty()) return 0;
-  gl::bind_texture(kInstanceUnit, frame.targets.instance_data);
+  gl::bind_texture("instance_data", frame.targets.instance_data);
   for (const ObjectDraw& draw : draws) {
     const Material& material = material_of(frame, *draw.batch);
     gl::Defines all = defines;

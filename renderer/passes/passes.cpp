@@ -19,8 +19,8 @@ glm::vec3 Frame::background() const {
 
 namespace {
 
-void bind_if_stored(const Frame& frame, Stores what, Unit unit) {
-  if (const gl::Texture* t = frame.targets.texture(what)) gl::bind_texture(unit, *t);
+void bind_if_stored(const Frame& frame, Stores what, const char* sampler) {
+  if (const gl::Texture* t = frame.targets.texture(what)) gl::bind_texture(sampler, *t);
 }
 
 // A light's bounds on screen and half a pixel more, so that every pixel that they touch is drawn.
@@ -63,22 +63,22 @@ gl::Stencil light_stencil(const Frame& frame) {
 }
 
 void bind_gbuffer(const Frame& frame) {
-  bind_if_stored(frame, Stores::material, kMaterialUnit);
-  bind_if_stored(frame, Stores::normal, kNormalUnit);
-  bind_if_stored(frame, Stores::depth, kDepthUnit);
-  bind_if_stored(frame, Stores::reflectance, kReflectanceUnit);
-  bind_if_stored(frame, Stores::emission, kEmissionUnit);
-  bind_if_stored(frame, Stores::ambient, kAmbientUnit);
-  bind_if_stored(frame, Stores::shininess, kShininessUnit);
-  bind_if_stored(frame, Stores::position, kPositionUnit);
+  bind_if_stored(frame, Stores::material, "gbuffer_material");
+  bind_if_stored(frame, Stores::normal, "gbuffer_normal");
+  bind_if_stored(frame, Stores::depth, "gbuffer_depth");
+  bind_if_stored(frame, Stores::reflectance, "gbuffer_reflectance");
+  bind_if_stored(frame, Stores::emission, "gbuffer_emission");
+  bind_if_stored(frame, Stores::ambient, "gbuffer_ambient");
+  bind_if_stored(frame, Stores::shininess, "gbuffer_shininess");
+  bind_if_stored(frame, Stores::position, "gbuffer_position");
 }
 
-void bind_lights(const Frame& frame) { gl::bind_texture(kLightUnit, frame.targets.light_data); }
+void bind_lights(const Frame& frame) { gl::bind_texture("light_data", frame.targets.light_data); }
 
 void bind_light_sums(const Frame& frame) {
-  bind_if_stored(frame, Stores::light, kDiffuseUnit);
-  bind_if_stored(frame, Stores::diffuse_light, kDiffuseUnit);
-  bind_if_stored(frame, Stores::specular_light, kSpecularUnit);
+  bind_if_stored(frame, Stores::light, "light_sum");
+  bind_if_stored(frame, Stores::diffuse_light, "light_diffuse");
+  bind_if_stored(frame, Stores::specular_light, "light_specular");
 }
 
 void upload_frame_block(const Frame& frame) {
@@ -126,16 +126,16 @@ void upload_lights(const Frame& frame) {
     t.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);
     t.record_texels.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
-  upload_records(t.light_data, t.record_texels, kLightUnit, "lights");
+  upload_records(t.light_data, t.record_texels, "light_data", "lights");
 }
 
-void upload_records(gl::Texture& texture, std::vector<glm::vec4>& texels, Unit unit, const char* label) {
+void upload_records(gl::Texture& texture, std::vector<glm::vec4>& texels, const char* sampler, const char* label) {
   const int rows_needed = (static_cast<int>(texels.size()) + RECORD_TEXTURE_WIDTH - 1) / RECORD_TEXTURE_WIDTH;
   const glm::ivec2 size(RECORD_TEXTURE_WIDTH, std::max(1, rows_needed));
   texels.resize(static_cast<size_t>(size.x) * size.y);
   if (texture.size != size || !texture.name)
     texture = gl::make_texture({.size = size, .format = Format::rgba32f, .label = label});
-  gl::bind_texture(unit, texture);
+  gl::bind_texture(sampler, texture);
   gl::state_pixel_storage();
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The passes, each a function of the frame. A pass states all its state and binds all it reads.
 #include "renderer/gl/pass_state.h"
+#include "renderer/gl/texture_units.h"
 #include "renderer/light/light_volume.h"
 #include "renderer/passes/frame.h"
 
@@ -15,7 +16,7 @@ void clear_depth(const Frame&);
 // The stencil test that leaves the background out of the light passes, if background.skip asks for it.
 gl::Stencil light_stencil(const Frame&);
 
-// Textures of the G-buffer and the light records, at the units of programs.h.
+// Textures of the G-buffer and the light records, by the names of the samplers that read them.
 void bind_gbuffer(const Frame&);
 void bind_lights(const Frame&);
 void bind_light_sums(const Frame&);
@@ -23,7 +24,7 @@ void bind_light_sums(const Frame&);
 void upload_frame_block(const Frame&);
 void upload_lights(const Frame&);
 // Rows of float records as a texture; remade only when it must grow or shrink.
-void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, Unit, const char* label);
+void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, const char* sampler, const char* label);
 
 // -> draw calls
 int draw_geometry(const Frame&);

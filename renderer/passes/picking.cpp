@@ -23,7 +23,7 @@ void draw_outline(const Frame& frame, Canvas& into) {
   if (frame.settings.view.object == 0) return;
   draw_ids(frame);
   begin_drawing(into.framebuffer, frame.settings.size, {});
-  gl::bind_texture(kIdUnit, frame.targets.ids().texture);
+  gl::bind_texture("ids", frame.targets.ids().texture);
   const gl::Program& program = frame.programs.get("fullscreen.vert", "outline.frag", {});
   glUseProgram(program.id());
   glUniform1i(program.uniform("picked"), frame.settings.view.object);

@@ -11,39 +11,6 @@
 namespace gbl {
 namespace {
 
-struct SamplerUnit {
-  const char* name;
-  Unit unit;
-};
-constexpr SamplerUnit kSamplers[] = {
-    {"gbuffer_material", kMaterialUnit},
-    {"gbuffer_normal", kNormalUnit},
-    {"gbuffer_depth", kDepthUnit},
-    {"light_data", kLightUnit},
-    {"light_lists", kLightListUnit},
-    {"light_diffuse", kDiffuseUnit},
-    {"light_specular", kSpecularUnit},
-    {"light_sum", kDiffuseUnit},
-    {"lit", kLitUnit},
-    {"counts", kCountUnit},
-    {"counts_lit", kLitUnit},
-    {"base_colour_map", kBaseColourUnit},
-    {"normal_map", kNormalMapUnit},
-    {"roughness_map", kRoughnessUnit},
-    {"emissive_map", kEmissiveUnit},
-    {"occlusion_map", kOcclusionUnit},
-    {"instance_data", kInstanceUnit},
-    {"gbuffer_reflectance", kReflectanceUnit},
-    {"gbuffer_emission", kEmissionUnit},
-    {"gbuffer_ambient", kAmbientUnit},
-    {"gbuffer_shininess", kShininessUnit},
-    {"gbuffer_position", kPositionUnit},
-    {"ids", kIdUnit},
-    {"truth_lit", kTruthUnit},
-    {"truth_value", kTruthValueUnit},
-    {"errors", kErrorUnit},
-};
-
 std::string constant_name(const char* prefix, const char* id) {
   std::string name = prefix;
   for (const char* c = id; *c; ++c) name += *c == '-' ? '_' : static_cast<char>(std::toupper(*c));
@@ -134,8 +101,6 @@ gl::Program ProgramCache::compile(const Variant& v) {
   const gl::ShaderText fragment = gl::load_shader(v.fragment, defines);
   gl::Program program = v.vertex.empty() ? gl::compile_compute_program(fragment)
                                          : gl::compile_program(gl::load_shader(v.vertex, defines), fragment);
-  glUseProgram(program.id());
-  for (const SamplerUnit& s : kSamplers) glUniform1i(program.uniform(s.name), s.unit);
   const GLuint block = glGetUniformBlockIndex(program.id(), "FrameBlock");
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), block, 0);
   return program;

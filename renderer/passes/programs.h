@@ -13,34 +13,6 @@ namespace gbl {
 // What a lighting pass writes; constants of shaders/light_output.glsl.
 enum class LightOutput { split, sum, count };
 
-// Texture units: sampler name -> unit, one table for all programs.
-enum Unit {
-  kMaterialUnit,
-  kNormalUnit,
-  kDepthUnit,
-  kReflectanceUnit,
-  kEmissionUnit,
-  kAmbientUnit,
-  kShininessUnit,
-  kPositionUnit,
-  kIdUnit,
-  kLightUnit,
-  kDiffuseUnit,
-  kSpecularUnit,
-  kLitUnit,
-  kCountUnit,
-  kInstanceUnit,
-  kBaseColourUnit,
-  kNormalMapUnit,
-  kRoughnessUnit,
-  kEmissiveUnit,
-  kOcclusionUnit,
-  kLightListUnit,
-  kTruthUnit,
-  kTruthValueUnit,
-  kErrorUnit
-};
-
 // LAYOUT = the chosen value, and LAYOUT_NCLGL, LAYOUT_FLOAT32, … = each row's value.
 void append_choice(gl::Defines&, const char* name, const char* prefix, std::span<const ValueRow>, int chosen);
 template <class E>

@@ -18,7 +18,7 @@ gl::Defines error_defines(const Frame& frame, ErrorOf chosen) {
 }
 
 void draw_reference(const Frame& frame, const TruthTextures& truth) {
-  gl::bind_texture(kTruthUnit, truth.lit);
+  gl::bind_texture("truth_lit", truth.lit);
   glUseProgram(frame.programs.get("fullscreen.vert", "truth.frag", frame.defines()).id());
   frame.shapes.draw_fullscreen();
 }
@@ -27,7 +27,7 @@ void colour_errors(const Frame& frame, double range) {
   const bool with_sign = frame.settings.view.error.scale == ErrorScale::with_sign;
   const std::span<const glm::vec3> stops = with_sign ? red_blue() : magma();
   const int count = static_cast<int>(stops.size());
-  gl::bind_texture(kErrorUnit, frame.targets.errors().texture);
+  gl::bind_texture("errors", frame.targets.errors().texture);
   const gl::Program& program =
       frame.programs.get("fullscreen.vert", "error_colour.frag", {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
   glUseProgram(program.id());
@@ -73,9 +73,9 @@ void Renderer::draw_errors(const Settings& s, const GpuScene& scene, Targets& ta
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture(kLitUnit, *targets.texture(Stores::lit));
-  gl::bind_texture(kTruthUnit, truth.lit);
-  gl::bind_texture(kTruthValueUnit, truth.of(s.view.error.of));
+  gl::bind_texture("lit", *targets.texture(Stores::lit));
+  gl::bind_texture("truth_lit", truth.lit);
+  gl::bind_texture("truth_value", truth.of(s.view.error.of));
   glUseProgram(programs_.get("fullscreen.vert", "error.frag", error_defines(frame, s.view.error.of)).id());
   shapes_.draw_fullscreen();
   targets.error_read.start(canvas.texture);

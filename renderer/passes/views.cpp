@@ -59,12 +59,12 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture(kLitUnit, view == View::final ? targets.shown() : *targets.texture(Stores::lit));
-  if (counted(view)) gl::bind_texture(kCountUnit, targets.counts().texture);
+  gl::bind_texture("lit", view == View::final ? targets.shown() : *targets.texture(Stores::lit));
+  if (counted(view)) gl::bind_texture("counts", targets.counts().texture);
   glUseProgram(program.id());
-  glUniform3fv(program.uniform("sky_colour"), 1, glm::value_ptr(sky_of(view)));
-  glUniform1iv(program.uniform("wasted_from"), kLightCountColours, kWastedFrom);
-  glUniform3fv(program.uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
+  glUniform3fv(program.find_uniform("sky_colour"), 1, glm::value_ptr(sky_of(view)));
+  glUniform1iv(program.find_uniform("wasted_from"), kLightCountColours, kWastedFrom);
+  glUniform3fv(program.find_uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
   shapes_.draw_fullscreen();
   if (options.overlays) {
     draw_volume_wires(frame, canvas);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/gl/pass_state.h"
+#include "renderer/gl/texture_units.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/programs.h"
 #include "tests/gl_fixture.h"
@@ -50,9 +51,8 @@ void run(const Settings& s, const char* uniform, const char* main, const gl::Tex
   glBindFramebuffer(GL_FRAMEBUFFER, target.id());
   glViewport(0, 0, kSide, kSide);
   gl::apply({});
-  gl::bind_texture(0, from);
+  gl::bind_texture("source", from);
   glUseProgram(program.id());
-  glUniform1i(program.uniform("source"), 0);
   Shapes().draw_fullscreen();
 }
 
@@ -65,9 +65,7 @@ Result through_the_gpu(Settings s, NormalEncoding encoding) {
   s.normal.encoding = encoding;
   const std::vector<glm::vec4> input = directions();
   const gl::Texture source = gl::make_texture({.size = s.size, .format = Format::rgba32f, .label = "directions"});
-  gl::bind_texture(0, source);
-  gl::state_pixel_storage();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSide, kSide, GL_RGBA, GL_FLOAT, input.data());
+  gl::write_texels(source, input.data());
   const std::vector<Attachment> all = attachments(s);
   const gl::Texture stored = gl::make_texture({.size = s.size, .format = find(all, Stores::normal)->format});
   const gl::Texture codes = gl::make_texture({.size = s.size, .format = Format::rgba32f});

@@ -159,6 +159,8 @@ void scramble_state() {
   glBindFramebuffer(GL_FRAMEBUFFER, 0), glUseProgram(0), glBindVertexArray(0), glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+constexpr GLuint kUnits = 48;  // no GL 3.3 has fewer
+
 // A sampler object and a wrong texture at every unit, buffers where pixels are taken from and put to.
 struct Intruders {
   GLuint sampler = 0, texture = 0, buffers[2] = {};
@@ -166,7 +168,7 @@ struct Intruders {
     glGenSamplers(1, &sampler), glGenTextures(1, &texture), glGenBuffers(2, buffers);
     glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glBindTexture(GL_TEXTURE_2D, texture);
-    for (GLuint unit = 0; unit < 16; ++unit) {
+    for (GLuint unit = 0; unit < kUnits; ++unit) {
       glActiveTexture(GL_TEXTURE0 + unit);
       glBindTexture(GL_TEXTURE_2D, texture), glBindSampler(unit, sampler);
     }
@@ -177,7 +179,7 @@ struct Intruders {
     }
   }
   ~Intruders() {
-    for (GLuint unit = 0; unit < 16; ++unit) glBindSampler(unit, 0);
+    for (GLuint unit = 0; unit < kUnits; ++unit) glBindSampler(unit, 0);
     glDeleteSamplers(1, &sampler), glDeleteTextures(1, &texture), glDeleteBuffers(2, buffers);
     scramble_state();
   }
