@@ -3,11 +3,22 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "app/background_advice.h"
+#include "app/background_study.h"
+#include "app/background_sweep.h"
 #include "renderer/base/error.h"
 
 namespace gbl {
 
 static constexpr double kMostFrameMs = 1500;
+
+std::vector<std::unique_ptr<BackgroundJob>> background_jobs(Lab& lab) {
+  std::vector<std::unique_ptr<BackgroundJob>> jobs;
+  jobs.push_back(std::make_unique<BackgroundSweep>(lab));
+  jobs.push_back(std::make_unique<BackgroundAdvice>(lab));
+  jobs.push_back(std::make_unique<BackgroundStudy>(lab));
+  return jobs;
+}
 
 Settings as_measured(Settings s) {
   s.size = kBackgroundSize;

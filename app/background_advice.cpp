@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/background.h"
 #include "renderer/base/error.h"
 #include "renderer/study/study_here.h"
 
@@ -74,7 +73,8 @@ void BackgroundAdvice::finish() {
   shown_.note = note_;
 }
 
-void BackgroundAdvice::update(const Settings& now, const ui::Requests::Advisor& asked, bool quiet) {
+void BackgroundAdvice::update(const Settings& now, const ui::Requests& requests, bool quiet) {
+  const ui::Requests::Advisor& asked = requests.advisor;
   if (scene_ != lab_.gpu_scene()) {
     scene_ = lab_.gpu_scene();
     forget();

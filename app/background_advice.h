@@ -3,19 +3,18 @@
 // in slices with targets of its own, and only while nothing else wants the machine.
 #include "app/advice_bench.h"
 #include "app/advice_job.h"
-#include "ui/ui.h"
+#include "app/background.h"
 
 namespace gbl {
 
-class BackgroundAdvice {
+class BackgroundAdvice : public BackgroundJob {
  public:
   explicit BackgroundAdvice(Lab&);
 
-  // Once a frame. `quiet`: nobody touches the window and nothing moves in it; only then is anything measured.
-  void update(const Settings& now, const ui::Requests::Advisor&, bool quiet);
-  bool busy() const { return job_ != nullptr; }
-  void forget();  // other programs draw, or another scene
-  const ui::AdvisorInput& input() const { return shown_; }
+  void update(const Settings& now, const ui::Requests&, bool quiet) override;
+  bool busy() const override { return job_ != nullptr; }
+  void forget() override;
+  void fill(ui::Input& in) const override { in.advisor = &shown_; }
 
  private:
   void start(const Settings& now, const ui::Requests::Advisor&);

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "app/background.h"
 #include "renderer/base/error.h"
 #include "renderer/study/study.h"
 #include "renderer/study/study_here.h"
@@ -102,7 +101,8 @@ void BackgroundStudy::take(const ui::Requests::Chart& asked, const Settings& now
                      differing_truth(running_->truth, now, running_->varied)));
 }
 
-void BackgroundStudy::update(const Settings& now, const ui::Requests::Chart& asked, bool quiet) {
+void BackgroundStudy::update(const Settings& now, const ui::Requests& requests, bool quiet) {
+  const ui::Requests::Chart& asked = requests.chart;
   if (scene_ != lab_.gpu_scene()) {
     scene_ = lab_.gpu_scene();
     forget();

@@ -4,25 +4,20 @@
 // Rows are kept in memory, and are shown only beside the truth that they were measured with.
 #include <list>
 
+#include "app/background.h"
 #include "app/bench.h"
 #include "renderer/study/study_spec.h"
-#include "ui/ui.h"
 
 namespace gbl {
 
-class Lab;
-
-class BackgroundStudy {
+class BackgroundStudy : public BackgroundJob {
  public:
   explicit BackgroundStudy(Lab&);
 
-  // Once a frame. `quiet`: nobody touches the window and nothing moves in it; only then is anything measured.
-  void update(const Settings& now, const ui::Requests::Chart&, bool quiet);
-  // Is there more to measure?
-  bool busy() const { return running_ || task_ != Task::none || wanted_; }
-  // Other programs draw, or another scene: what was measured says nothing about them.
-  void forget();
-  const ui::ChartInput& chart() const { return shown_; }
+  void update(const Settings& now, const ui::Requests&, bool quiet) override;
+  bool busy() const override { return running_ || task_ != Task::none || wanted_; }
+  void forget() override;
+  void fill(ui::Input& in) const override { in.chart = &shown_; }
 
  private:
   struct Row {

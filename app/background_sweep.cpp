@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/background.h"
+#include "app/bench.h"
 #include "renderer/base/error.h"
 
 namespace gbl {
@@ -65,7 +65,8 @@ void BackgroundSweep::work() {
   }
 }
 
-void BackgroundSweep::update(const ui::Requests::Stability& asked, bool quiet) {
+void BackgroundSweep::update(const Settings&, const ui::Requests& requests, bool quiet) {
+  const ui::Requests::Stability& asked = requests.stability;
   if (!asked.open && !running_) return;
   try {
     take(asked);

@@ -3,22 +3,19 @@
 // wants the machine. Sweeps bring scenes and cameras of their own: what the window shows does not matter to them.
 #include <map>
 
+#include "app/background.h"
 #include "app/stability_bench.h"
-#include "ui/ui.h"
 
 namespace gbl {
 
-class Lab;
-
-class BackgroundSweep {
+class BackgroundSweep : public BackgroundJob {
  public:
   explicit BackgroundSweep(Lab& lab) : lab_(lab) {}
 
-  // Once a frame. `quiet`: nobody touches the window and nothing moves in it; only then is anything measured.
-  void update(const ui::Requests::Stability&, bool quiet);
-  bool busy() const { return running_ != nullptr; }
-  void forget();  // other programs draw: what was measured says nothing about them
-  const ui::StabilityInput& input() const { return shown_; }
+  void update(const Settings& now, const ui::Requests&, bool quiet) override;
+  bool busy() const override { return running_ != nullptr; }
+  void forget() override;
+  void fill(ui::Input& in) const override { in.stability = &shown_; }
 
  private:
   struct Run {

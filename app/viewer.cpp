@@ -1,5 +1,6 @@
 #include "app/viewer.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
@@ -40,7 +41,7 @@ void Viewer::arrive(bool wait) {
       for (const std::string& w : scene->warnings) message_ += "; " + w;
       if (scene->warnings.empty() && loader_.name() != dropped_) message_.clear();
       lab_.show(loader_.name(), std::move(scene));
-      attempted_ = false;
+      asked_.reset();
       if (loader_.name() == dropped_) opened_ = std::exchange(dropped_, "");
     }
   } catch (const Error& e) {
@@ -71,7 +72,6 @@ bool Viewer::scene_ready(const Settings& s) {
 
 void Viewer::draw_frame(const Settings& s, bool moving) {
   asked_ = s;
-  attempted_ = true;
   try {
     lab_.draw(affordable(s, moving));
     fresh_.fill(false);
@@ -124,11 +124,9 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
 void Viewer::reload() {
   try {
     lab_.reload_shaders();
-    study_.forget();
-    sweep_.forget();
-    advice_.forget();
+    for (const auto& job : jobs_) job->forget();
     message_ = "shaders read again";
-    attempted_ = false;
+    asked_.reset();
   } catch (const Error& e) {
     message_ = e.what();  // the last good programs go on drawing
   }
@@ -141,7 +139,7 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (saved || requests.reload_shaders) reload();
   const bool settled = moving_ && !moving;  // drawn again in full size, and counted
   moving_ = moving;
-  const bool changed = !attempted_ || !(without_view(s) == without_view(asked_)) || settled;
+  const bool changed = !asked_ || !(without_view(s) == without_view(*asked_)) || settled;
   const bool ready = scene_ready(s);
   if (changed && ready) draw_frame(s, moving);
   if (!lab_.has_drawn()) return;
@@ -160,21 +158,24 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (!requests.probe) probe_.reset(), probe_asked_.reset();
 }
 
+bool Viewer::measures_more() const {
+  return std::any_of(jobs_.begin(), jobs_.end(), [](const auto& job) { return job->busy(); });
+}
+
 void Viewer::measure(const Settings& s, const ui::Requests& requests, bool quiet) {
-  quiet = quiet && !drawing();
-  sweep_.update(requests.stability, quiet);
-  advice_.update(s, requests.advisor, quiet);
-  // They run with their panels open alone: a study that was left running waits for what is looked at.
-  study_.update(s, requests.chart, quiet && !sweep_.busy() && !advice_.busy());
-  measuring_ = quiet && measures_more();
+  bool free = quiet && !drawing();
+  measuring_ = free;
+  for (const auto& job : jobs_) {
+    job->update(s, requests, free);
+    free = free && !job->busy();
+  }
+  measuring_ = measuring_ && measures_more();
 }
 
 ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
-  in.chart = &study_.chart();
-  in.stability = &sweep_.input();
-  in.advisor = &advice_.input();
+  for (const auto& job : jobs_) job->fill(in);
   in.truth_progress = lab_.truth_progress();
   in.message = message_;
   in.banner = loader_.loading() ? fmt::format("reading {}: {}", loader_.name(), loader_.progress()) : banner_;

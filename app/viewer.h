@@ -3,9 +3,7 @@
 // apart from GLFW so that it can be tested on a headless context.
 #include <string>
 
-#include "app/background_advice.h"
-#include "app/background_study.h"
-#include "app/background_sweep.h"
+#include "app/background.h"
 #include "app/lab.h"
 #include "app/scene_loader.h"
 
@@ -13,12 +11,13 @@ namespace gbl {
 
 class Viewer {
  public:
-  explicit Viewer(Lab& lab) : lab_(lab), study_(lab), sweep_(lab), advice_(lab) {}
+  explicit Viewer(Lab& lab) : lab_(lab), jobs_(background_jobs(lab)) {}
 
   // Draws what the requests ask for and what has changed, nothing else. Never throws for a bad setting or shader:
   // the message says what is wrong and the old picture stays.
   void update(const Settings&, const ui::Requests&, bool moving);
-  // A piece of what the chart, the stability panel or the advisor asks for, if the machine is free for it. `quiet`: nobody has touched the window lately.
+  // A piece of what the panels ask to be measured, if the machine is free for it. `quiet`: nobody has touched the
+  // window lately.
   void measure(const Settings&, const ui::Requests&, bool quiet);
   bool measuring() const { return measuring_; }  // it did so in this frame
   ui::Input input(double seconds) const;
@@ -41,7 +40,7 @@ class Viewer {
 
  private:
   bool drawing() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
-  bool measures_more() const { return study_.busy() || sweep_.busy() || advice_.busy(); }
+  bool measures_more() const;
   bool scene_ready(const Settings&);
   void arrive(bool wait);
   void draw_frame(const Settings&, bool moving);
@@ -51,13 +50,11 @@ class Viewer {
   Settings affordable(const Settings&, bool moving);
 
   Lab& lab_;
-  BackgroundStudy study_;
-  BackgroundSweep sweep_;
-  BackgroundAdvice advice_;
+  std::vector<std::unique_ptr<BackgroundJob>> jobs_;
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
-  Settings asked_;                          // of the last attempt, drawn or refused
-  bool attempted_ = false, waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
+  std::optional<Settings> asked_;           // of the last attempt, drawn or refused; empty: to be drawn anew
+  bool waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
   bool truth_waiting_ = false;            // a visible view still waits for the reference
   bool stats_pending_ = false;            // of the error view
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
