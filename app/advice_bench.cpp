@@ -1,7 +1,7 @@
 #include "app/advice_bench.h"
 
 #include "app/lab.h"
-#include "renderer/study/stability/seeded_camera.h"
+#include "renderer/study/seeded_camera.h"
 
 namespace gbl {
 

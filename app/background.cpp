@@ -7,6 +7,7 @@
 #include "app/background_study.h"
 #include "app/background_sweep.h"
 #include "renderer/base/error.h"
+#include "renderer/frame/frame_lights.h"
 
 namespace gbl {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/lab.h"
+#include "renderer/frame/frame_lights.h"
 
 namespace gbl {
 namespace {

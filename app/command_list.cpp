@@ -40,7 +40,7 @@ Rows value_rows(bool of_truth = false) {
   for (const ValueRow& r : rows<E>()) {
     Json j = base(r.id, r.label);
     j["sound"] = of_truth ? Json(nullptr) : Json(r.sound());
-    j["pitfall"] = r.pitfall;
+    j["pitfall"] = id_of(r.pitfall);
     j["help"] = r.help;
     j["cost"] = r.cost;
     j["source"] = r.source;
@@ -107,7 +107,7 @@ Rows position_list() {
 
 Rows mistake_rows() {
   Rows out;
-  for (const Mistake& m : mistakes()) {
+  for (const MistakeRow& m : mistakes()) {
     Json j = base(m.id, m.label);
     j["sound"] = false;
     j["help"] = m.help;

@@ -11,6 +11,7 @@
 #include "app/lab.h"
 #include "app/report_json.h"
 #include "renderer/base/size_text.h"
+#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/packing_svg.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"

@@ -3,10 +3,10 @@
 
 #include "app/commands.h"
 #include "renderer/base/size_text.h"
-#include "renderer/light/rig.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
+#include "renderer/scenes/rig.h"
 #include "renderer/scenes/scene_look.h"
 
 namespace gbl {

@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/resources.h"
 #include "renderer/base/size_text.h"
+#include "renderer/frame/frame_lights.h"
 
 namespace gbl {
 namespace {

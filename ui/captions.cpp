@@ -82,7 +82,7 @@ Sentence describe_step(const Option& o, const Settings& before, const Settings& 
   else if (!in_use(o, after))
     s.text += fmt::format(" No effect as things stand: {} does not use it.", why_unused(o, after));
   else
-    s.pitfall = to.pitfall;
+    s.pitfall = id_of(to.pitfall);
   return s;
 }
 

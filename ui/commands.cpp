@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/validate.h"
 #include "renderer/options/presets.h"
 #include "ui/camera_motion.h"

@@ -25,7 +25,7 @@ void draw_value(FrameContext& f, const Option& o, const ValueRow& r, bool select
   const bool available = reason.empty();
   std::string text = r.sound() ? r.label : fmt::format("{} {}", kUnsoundSign, r.label);
   if (*r.cost) text += fmt::format("   {}", r.cost);
-  if (!r.sound()) text += fmt::format("   unsound: {}", r.pitfall);
+  if (!r.sound()) text += fmt::format("   unsound: {}", id_of(r.pitfall));
   if (!available) text += f.input.features.has(r.needs) ? "   not with these settings" : "   " + reason;
   ImGui::PushStyleColor(ImGuiCol_Text, r.sound() ? kText : kUnsound);
   if (ImGui::Selectable(text.c_str(), selected, available ? 0 : ImGuiSelectableFlags_Disabled)) edit_option(f, o, r.id);
@@ -47,7 +47,7 @@ void draw_value(FrameContext& f, const Option& o, const ValueRow& r, bool select
 std::string sound_mark(const Option& o, const Settings& s) {
   if (o.kind != Kind::choice || o.group != Group::method || !in_use(o, s)) return {};
   const ValueRow& r = o.values[chosen(o, s)];
-  return r.sound() ? "" : fmt::format("{} unsound: {}", kUnsoundSign, r.pitfall);
+  return r.sound() ? "" : fmt::format("{} unsound: {}", kUnsoundSign, id_of(r.pitfall));
 }
 
 void draw_choice(FrameContext& f, const Option& o, const Box& place, float px) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "renderer/gbuffer/layouts.h"
 #include "ui/state.h"
 
 namespace gbl::ui {

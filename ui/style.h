@@ -3,7 +3,7 @@
 // the surface it stands on; a colour never carries a meaning alone (a sign or a word goes with it).
 #include <imgui.h>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
 
 namespace gbl::ui {
 

@@ -89,7 +89,8 @@ LightsInView lights_in_view(const Settings& s, const std::vector<Light>& lights)
   LightsInView v;
   v.pixels = double(s.size.x) * s.size.y;
   v.lights = double(lights.size());
-  const double scale = volume_scale(s, VolumeShape::sphere), faces = s.lights.cull == LightCull::none ? 2 : 1;
+  const double scale = volume_scale(s.lights.volume.fit, s.lights.volume.level, VolumeShape::sphere),
+               faces = s.lights.cull == LightCull::none ? 2 : 1;
   const double tile = kTile / std::sqrt(v.pixels);
   const Depths depths = depths_of(s.camera, lights);
   for (const Light& l : lights) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/frame/attachments.h"
 #include "renderer/frame/validate.h"
-#include "renderer/gbuffer/gbuffer_layout.h"
 
 namespace gbl {
 namespace {

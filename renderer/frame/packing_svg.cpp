@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <string_view>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
 
 namespace gbl {
 namespace {

@@ -5,7 +5,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/size_text.h"
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
+#include "renderer/gbuffer/layouts.h"
 #include "renderer/options/options.h"
 
 namespace gbl {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/rows/value_table.h"
+
 // The shader's text twice. GLM supplies GLSL's functions; `real` is the one word that differs.
 using uint = unsigned;
 namespace gbl::f32 {
@@ -44,40 +46,13 @@ bool has_negative(const glm::dvec3& n) { return n.x < 0 || n.y < 0 || n.z < 0; }
 bool points_down(const glm::dvec3& n) { return n.z < 0; }
 
 // The row's fields, then the pair of shader functions of the same name, in both arithmetics.
-#define ENCODING(name, ...)                                                        \
-  {                                                                                \
-    {NormalEncoding::name, __VA_ARGS__}, {f32::encode_##name, f32::decode_##name}, \
-        {f64::encode_##name, f64::decode_##name},                                  \
-  }
-// clang-format off
-// Format, channels, bits of each; degrees mean, 99th percentile, maximum, as tests/gbuffer/normal_encoding_test measures them.
+#define ENCODING(name, ...) \
+  {{__VA_ARGS__}, {f32::encode_##name, f32::decode_##name}, {f64::encode_##name, f64::decode_##name}},
 constexpr Encoding kEncodings[] = {
-  ENCODING(xyz8,          Format::rgba8,   3,  8, {0.170, 0.318, 0.389}),
-  ENCODING(xyz8_raw,      Format::rgba8,   3,  8, {49.1, 157, 180}, {}, has_negative),
-  ENCODING(xyz10,         Format::r32ui,   3, 10, {0.0423, 0.0791, 0.0971}),
-  ENCODING(xyz16f,        Format::rgba16f, 3, 16, {0.00605, 0.0173, 0.0239}, Degrees{0.00635, 0.0187, 0.0280}),
-  ENCODING(xyz32f,        Format::rgba32f, 3, 32, {6.06e-7, 1.83e-6, 2.92e-6}, Degrees{9.86e-7, 2.57e-6, 3.42e-6}),
-  ENCODING(bestfit8,      Format::rgba8,   3,  8, {0.0305, 0.132, 0.319}),
-  ENCODING(stereo16f,     Format::rg16f,   2, 16, {0.00833, 0.0212, 0.0280}, Degrees{0.0167, 0.0424, 0.0559}, near_minus_z),
-  ENCODING(lambert16,     Format::rg16ui,  2, 16, {0.00195, 0.0101, 0.753}),
-  ENCODING(spherical16,   Format::rg16ui,  2, 16, {0.00138, 0.00276, 0.00307}),
-  ENCODING(oct8,          Format::rg8,     2,  8, {0.337, 0.758, 0.957}),
-  ENCODING(oct10,         Format::r32ui,   2, 10, {0.0837, 0.188, 0.238}),
-  ENCODING(oct12,         Format::r32ui,   2, 12, {0.0209, 0.0471, 0.0594}),
-  ENCODING(oct14,         Format::r32ui,   2, 14, {0.00522, 0.0117, 0.0148}),
-  ENCODING(oct16,         Format::rg16ui,  2, 16, {0.00131, 0.00293, 0.00371}),
-  ENCODING(oct16_precise, Format::rg16ui,  2, 16, {0.00122, 0.00215, 0.00247}),
-  ENCODING(xy_sqrt,       Format::r32ui,   2, 12, {32.7, 157, 180}, {}, points_down),
+#include "renderer/gbuffer/normal_encodings.inc"
 };
-// clang-format on
 #undef ENCODING
-
-constexpr bool encodings_in_order() {
-  for (size_t i = 0; i < std::size(kEncodings); ++i)
-    if (kEncodings[i].row.encoding != static_cast<NormalEncoding>(i)) return false;
-  return true;
-}
-static_assert(encodings_in_order());
+constexpr auto kValues = values_of<kEncodings>([](const Encoding& e) { return e.row.axis; });
 
 const Encoding& encoding_of(NormalEncoding e) { return kEncodings[static_cast<size_t>(e)]; }
 const Codec<glm::vec3>& codec_of(const Encoding& e, const glm::vec3&) { return e.f32; }
@@ -133,6 +108,8 @@ V read_back(NormalEncoding encoding, const V& unit, StoreRounding rounding) {
 }
 
 }  // namespace
+
+GBL_ROWS(NormalEncoding, kValues)
 
 const EncodingRow& row_of(NormalEncoding e) { return encoding_of(e).row; }
 

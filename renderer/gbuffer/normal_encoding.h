@@ -4,10 +4,16 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "renderer/rows/value_row.h"
 #include "renderer/gbuffer/format.h"
-#include "renderer/options/axes.h"
 
 namespace gbl {
+
+enum class NormalEncoding {
+#define ENCODING(name, ...) name,
+#include "renderer/gbuffer/normal_encodings.inc"
+#undef ENCODING
+};
 
 // How a code lies in a texel; the constants STORAGE_… of shaders/surface.glsl. Follows from the format.
 enum class NormalStorage { unorm8, uints, word, floats };
@@ -19,7 +25,7 @@ struct Degrees {
 };
 
 struct EncodingRow {
-  NormalEncoding encoding;
+  ValueRow axis;
   Format format;
   int channels;  // that carry the normal
   int bits_per_channel;

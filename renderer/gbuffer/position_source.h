@@ -4,7 +4,8 @@
 #include <span>
 #include <string>
 
-#include "renderer/options/settings.h"
+#include "renderer/gbuffer/gbuffer_axes.h"
+#include "renderer/scene/camera.h"
 
 namespace gbl {
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/rows/value_table.h"
+#include "renderer/gbuffer/layouts.h"
 
 namespace gbl {
 namespace {
@@ -115,6 +117,9 @@ constexpr bool in_order() {
   return std::size(kViews) == kViewCount;
 }
 static_assert(in_order(), "row i must be view i");
+constexpr auto kValues = values_of<kViews>([](const ViewRow& r) {
+  return ValueRow{.id = r.id, .label = r.label, .help = r.sentence};
+});
 
 Stores stored(View v) {
   switch (v) {
@@ -225,13 +230,10 @@ std::span<const ViewRow> views() { return kViews; }
 
 const ViewRow& row(View v) { return kViews[static_cast<size_t>(v)]; }
 
+GBL_ROWS(View, kValues)
+
 const ViewRow& view_by_id(std::string_view id) {
-  std::vector<std::string_view> known;
-  for (const ViewRow& r : kViews) {
-    if (r.id == id) return r;
-    known.emplace_back(r.id);
-  }
-  throw Error(ExitCode::bad_input, "view", fmt::format("unknown view '{}'", id), suggest(id, known));
+  return kViews[static_cast<size_t>(parse_id(kValues, id, "view", "view"))];
 }
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 

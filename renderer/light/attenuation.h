@@ -1,6 +1,6 @@
 #pragma once
 // Falloff of light with distance, in double; the same formulas as shaders/shade.glsl, written apart.
-#include "renderer/options/settings.h"
+#include "renderer/light/light_axes.h"
 
 namespace gbl {
 

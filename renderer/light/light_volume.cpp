@@ -6,8 +6,6 @@
 #include <glm/gtc/constants.hpp>
 #include <map>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
-
 // The shader's text twice. GLM supplies GLSL's functions; `real` is the one word that differs.
 namespace gbl::volume_f32 {
 using real = float;
@@ -122,25 +120,17 @@ VolumeShape volume_shape(const Light& l) {
   return l.kind == LightKind::spot && l.outer_cos > 0.5 ? VolumeShape::cone : VolumeShape::sphere;
 }
 
-double volume_scale(const Settings& s, VolumeShape shape) {
-  if (s.lights.volume.fit == VolumeFit::inscribed || shape == VolumeShape::screen) return 1;
+double volume_scale(VolumeFit fit, VolumeLevel level, VolumeShape shape) {
+  if (fit == VolumeFit::inscribed || shape == VolumeShape::screen) return 1;
   static const auto kScales = [] {
     std::array<std::array<double, 5>, 2> scales{};
     // 1e-6 more than exact: float vertices and the rasteriser's grid must not undercut the light.
     for (int i = 0; i < 2; ++i)
-      for (int level = 0; level < 5; ++level)
-        scales[i][level] =
-            (1 + 1e-6) / volume_mesh(static_cast<VolumeShape>(i), static_cast<VolumeLevel>(level)).inradius;
+      for (int l = 0; l < 5; ++l)
+        scales[i][l] = (1 + 1e-6) / volume_mesh(static_cast<VolumeShape>(i), static_cast<VolumeLevel>(l)).inradius;
     return scales;
   }();
-  return kScales[static_cast<int>(shape)][static_cast<int>(s.lights.volume.level)];
-}
-
-// One step of the format, for both depths are rounded to it; and of float, in which a face's depth is interpolated from
-// its vertices', four.
-double volume_depth_step(const Settings& s) {
-  if (!lighting_tests_depth(s)) return 0;
-  return std::ldexp(1, s.depth.format == DepthFormat::d16 ? -16 : -24) + std::ldexp(4, -24);
+  return kScales[static_cast<int>(shape)][static_cast<int>(level)];
 }
 
 glm::dvec3 volume_vertex(const Light& l, const glm::dvec3& vertex, double scale, double slack) {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/options/settings.h"
+#include "renderer/light/light_axes.h"
 #include "renderer/scene/scene.h"
 
 namespace gbl {
@@ -29,10 +29,7 @@ VolumeMesh cone(int sides);
 VolumeMesh volume_mesh(VolumeShape, VolumeLevel);  // of a sphere or a cone
 
 // Factor on the unit mesh: 1 inscribed, 1/inradius circumscribed.
-double volume_scale(const Settings&, VolumeShape);
-
-// The difference of window depth that rounding can hide between a surface and a volume's face. 0: nobody compares them.
-double volume_depth_step(const Settings&);
+double volume_scale(VolumeFit, VolumeLevel, VolumeShape);
 
 // Where the shaders put a vertex of the unit mesh, in double and in their float; the farthest is at volume_reach().
 glm::dvec3 volume_vertex(const Light&, const glm::dvec3& vertex, double scale, double slack);

@@ -8,7 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "renderer/light/attenuation.h"
-#include "renderer/light/rig.h"
+#include "renderer/scenes/rig.h"
 
 namespace gbl {
 
@@ -60,67 +60,6 @@ std::vector<Light> generated_lights(const LightBox& box, int count, unsigned see
     for (int k = 0; k < 3; ++k) l.position[k] = random.in(box.min[k], box.max[k]);
     for (int k = 0; k < 3; ++k) l.colour[k] = random.in(box.colour_min, box.colour_max);
     l.range = box_range(box, count, l.colour);
-  }
-  return lights;
-}
-
-namespace {
-
-std::vector<Light> from_source(const Settings& s, const Scene& scene) {
-  if (s.lights.source == LightSource::scene) return scene.lights;
-  if (s.lights.source == LightSource::rig) return rig_lights(s.lights.rig);
-  if (scene.light_box) return generated_lights(*scene.light_box, s.lights.count, s.lights.seed);
-  return generated_lights(scene.light_grid, s.lights.count, s.lights.seed, s.time_s);
-}
-
-double brightest(const Light& l) { return std::max({l.colour.x, l.colour.y, l.colour.z}); }
-
-// Where the light ends, by range.kind; its falloff stays a function of the range that it came with.
-void set_range(Light& l, const Settings& s) {
-  l.profile_range = l.range;
-  if (l.kind == LightKind::directional) return;
-  if (s.range.kind == RangeKind::none) l.range = kEndless;
-  if (s.range.kind != RangeKind::threshold || l.coefficients != glm::dvec3(0)) return;
-  const bool shortcut = s.mistakes.count("range-shortcut") > 0;
-  l.range = shortcut ? range_by_shortcut(brightest(l), l.range, s.range.threshold)
-                     : range_at_threshold(s.attenuation, brightest(l), l.range, s.range.threshold);
-}
-
-// Without an edge: the exponent stands where the inner cone's cosine did.
-void open_cone(Light& l) {
-  const double cosine = std::clamp(l.outer_cos, 1e-3, 1 - 1e-9);
-  l.inner_cos = std::clamp(std::log(0.05) / std::log(cosine), 1.0, 1e4);
-  l.outer_cos = -1;
-}
-
-void require_finite(const std::vector<Light>& lights) {
-  for (size_t i = 0; i < lights.size(); ++i) {
-    const Light& l = lights[i];
-    double sum = l.range + l.inner_cos + l.outer_cos;
-    for (int k = 0; k < 3; ++k) sum += l.position[k] + l.colour[k] + l.direction[k] + l.coefficients[k];
-    if (!std::isfinite(sum))
-      throw Error(ExitCode::bad_input, "lights", fmt::format("light {} holds a number that is not finite", i),
-                  "mend its position, colour, range, direction or falloff in the scene or rig");
-  }
-}
-
-}  // namespace
-
-std::vector<Light> lights_of(const Settings& s, const Scene& scene) {
-  std::vector<Light> lights = from_source(s, scene);
-  // An inverse square of unit intensity is dark a few units away: generated lights are made bright for their range.
-  if (s.attenuation == Attenuation::windowed && s.lights.source == LightSource::generated)
-    for (Light& l : lights) l.colour *= l.range * l.range / 16;
-  for (Light& l : lights) {
-    if (l.range < kEndless) l.range *= s.lights.range_scale;
-    set_range(l, s);
-    if (l.kind == LightKind::spot && s.lights.spot == LightSpot::cos_power) open_cone(l);
-  }
-  require_finite(lights);
-  if (s.lights.first >= 0) lights.resize(std::min<size_t>(lights.size(), s.lights.first));
-  if (s.lights.only >= 0) {
-    if (s.lights.only >= static_cast<int>(lights.size())) return {};
-    lights = {lights[s.lights.only]};
   }
   return lights;
 }

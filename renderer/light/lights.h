@@ -1,8 +1,7 @@
 #pragma once
-// The lights of a frame, as a pure function of scene, count, seed and time.
+// Generated lights, as pure functions of place, count, seed and time.
 #include <vector>
 
-#include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 
 namespace gbl {
@@ -12,8 +11,5 @@ std::vector<Light> generated_lights(const LightGrid&, int count, unsigned seed, 
 
 // N lights in a box; the first k of N are the first k of any larger N, but for an overlap's range. They stand still.
 std::vector<Light> generated_lights(const LightBox&, int count, unsigned seed);
-
-// What Settings ask for: source, count, seed, time, range scale, `only` and `first`.
-std::vector<Light> lights_of(const Settings&, const Scene&);
 
 }  // namespace gbl

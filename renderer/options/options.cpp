@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/inspect/views.h"
-#include "renderer/pitfalls/mistakes.h"
 
 namespace gbl {
+
+enum class View;  // its rows stand above this room, in renderer/inspect/views.cpp
+
 namespace {
 
 [[noreturn]] void bad_value(const Option& o, const Json& v, std::string_view expected) {
@@ -100,14 +101,19 @@ double checked_exponent(const Option& o, const Json& v) {
   return kExponentFromRoughness;
 }
 
-std::set<std::string> checked_mistakes(const Option& o, const Json& v) {
+std::string checked_view(const Option& o, const Json& v) {
+  const std::span<const ValueRow> views = rows<View>();
+  return views[static_cast<size_t>(parse_id(views, checked_text(o, v), "view", "view"))].id;
+}
+
+std::set<Mistake> checked_mistakes(const Option& o, const Json& v) {
   if (!v.is_array()) bad_value(o, v, "an array of ids");
-  std::set<std::string> ids;
+  std::set<Mistake> chosen_ones;
   for (const Json& id : v) {
     if (!id.is_string()) bad_value(o, v, "an array of ids");
-    ids.insert(mistake(id.get<std::string>()).id);
+    chosen_ones.insert(mistake_by_id(id.get<std::string>()));
   }
-  return ids;
+  return chosen_ones;
 }
 
 constexpr double kFar = 1e9;  // world units; a bound for numbers that only have to be sane
@@ -163,8 +169,8 @@ const Option kOptions[] = {
   {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents)},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},
-  {.path = "mistakes", .group = Group::method, .label = "Mistakes", .help = "deliberate errors, by id", .kind = Kind::set, .get = GET(Json(s.mistakes)), .set = SET(s.mistakes = checked_mistakes(o, v))},
-  {.path = "view.main", .group = Group::view, .label = "Main view", .help = "the view shown large, by id", .kind = Kind::text, .get = GET(s.view.main), .set = SET(s.view.main = view_by_id(checked_text(o, v)).id)},
+  {.path = "mistakes", .group = Group::method, .label = "Mistakes", .help = "deliberate errors, by id", .kind = Kind::set, .get = GET(Json(ids_of(s.mistakes))), .set = SET(s.mistakes = checked_mistakes(o, v))},
+  {.path = "view.main", .group = Group::view, .label = "Main view", .help = "the view shown large, by id", .kind = Kind::text, .get = GET(s.view.main), .set = SET(s.view.main = checked_view(o, v))},
   {.path = "view.volumes", .group = Group::view, .label = "Light volumes", .help = "wires over the main view", .key = "V", CHOICE(VolumeOverlay, view.volumes)},
   {.path = "view.pick", .group = Group::view, .label = "Picked light", .help = "index of the light that wires, I and captions speak of", INTEGER(view.pick, 0, kMaxLights - 1)},
   {.path = "view.object", .group = Group::view, .label = "Picked object", .help = "number of the object that is outlined and named, from 1; 0 = none", INTEGER(view.object, 0, 1 << 24)},

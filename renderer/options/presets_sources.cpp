@@ -43,7 +43,7 @@ Settings nclgl() {
   s.depth.format = DepthFormat::d24;
   s.position.reconstruct = PositionReconstruct::inverse_viewproj_varying;
   s.accumulation = {AccumulationFormat::rgba8, AccumulationTargets::split};
-  s.mistakes = {"tbn-precedence", "specular-ungated", "blend-on-in-fill"};
+  s.mistakes = {Mistake::tbn_precedence, Mistake::specular_ungated, Mistake::blend_on_in_fill};
   return s;
 }
 
@@ -105,7 +105,7 @@ Settings learnopengl_a() {
   s.depth.format = DepthFormat::d24;
   s.accumulation = {AccumulationFormat::rgba8, AccumulationTargets::one};
   s.lights.markers = LightMarkers::on;
-  s.mistakes = {"forward-without-depth"};  // its cubes are drawn before the depth blit is explained
+  s.mistakes = {Mistake::forward_without_depth};  // its cubes are drawn before the depth blit is explained
   return s;
 }
 
@@ -124,7 +124,7 @@ Settings learnopengl() {
   s.lights.method = LightMethod::volumes;
   s.lights.cull = LightCull::front;
   s.lights.volume = {VolumeLevel::l2, VolumeFit::inscribed, VolumeClip::planes, VolumeDepth::none};
-  s.mistakes = {"volume-without-distance-test"};
+  s.mistakes = {Mistake::volume_without_distance_test};
   return s;
 }
 
@@ -159,7 +159,7 @@ Settings objectid() {
   s.position.source = PositionSource::world32f;
   s.depth.format = DepthFormat::d24;
   s.accumulation = {AccumulationFormat::rgba8, AccumulationTargets::one};
-  s.mistakes = {"nonuniform-scale-normal", "specular-ungated"};
+  s.mistakes = {Mistake::nonuniform_scale_normal, Mistake::specular_ungated};
   return s;
 }
 
@@ -190,7 +190,7 @@ Settings viewspace() {
   s.depth.format = DepthFormat::d24;
   s.tangents = Tangents::matrix_columns;
   s.accumulation = {AccumulationFormat::rgba8, AccumulationTargets::one};
-  s.mistakes = {"interpolated-not-normalised", "decode-not-normalised", "range-shortcut"};
+  s.mistakes = {Mistake::interpolated_not_normalised, Mistake::decode_not_normalised, Mistake::range_shortcut};
   return s;
 }
 

@@ -1,6 +1,7 @@
 #include "renderer/options/settings.h"
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include <algorithm>
+
 #include "renderer/options/options.h"
 
 namespace gbl {
@@ -22,8 +23,6 @@ bool of_gbuffer(std::string_view path) {
 
 }  // namespace
 
-bool draws_chosen_faces(LightMethod m) { return m == LightMethod::volumes || m == LightMethod::volumes_instanced; }
-
 // Cull, level, fit, clip and depth of a volume mean nothing to a method that draws none. The stencil method draws both
 // faces against the depth, whatever is chosen: to it only the mesh's level and fit mean something.
 bool in_use(const Option& o, const Settings& s) {
@@ -38,14 +37,21 @@ bool in_use(const Option& o, const Settings& s) {
   return true;
 }
 
+std::vector<std::string> ids_of(const std::set<Mistake>& mistakes) {
+  std::vector<std::string> ids;
+  for (const Mistake m : mistakes) ids.emplace_back(row(m).id);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 std::vector<Unsound> unsound_choices(const Settings& s) {
   std::vector<Unsound> found;
   for (const Option& o : options()) {
     if (o.group != Group::method || o.kind != Kind::choice || !in_use(o, s)) continue;
     const ValueRow& r = o.values[chosen(o, s)];
-    if (!r.sound()) found.push_back({o.path, r.id, r.pitfall});
+    if (!r.sound()) found.push_back({o.path, r.id, id_of(r.pitfall)});
   }
-  for (const std::string& m : s.mistakes) found.push_back({"mistakes", m, m});
+  for (const std::string& id : ids_of(s.mistakes)) found.push_back({"mistakes", id, id});
   return found;
 }
 

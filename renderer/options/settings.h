@@ -6,7 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gbuffer/gbuffer_axes.h"
+#include "renderer/gbuffer/layouts.h"
+#include "renderer/gbuffer/normal_encoding.h"
+#include "renderer/light/light_axes.h"
+#include "renderer/light/light_methods.h"
 #include "renderer/options/axes.h"
+#include "renderer/pitfalls/mistakes.h"
 #include "renderer/scene/camera.h"
 
 namespace gbl {
@@ -94,7 +100,7 @@ struct Settings {
   Tangents tangents = Tangents::vertex;
   Antialias antialias = Antialias::none;
   DrawOrder draw_order = DrawOrder::near_far;
-  std::set<std::string> mistakes;  // ids of renderer/pitfalls/mistakes.h
+  std::set<Mistake> mistakes;
 
   // ---- what is looked at ----
   struct View {
@@ -117,8 +123,8 @@ struct Settings {
 // The truth alone: two settings with equal truth share one reference picture.
 bool same_truth(const Settings&, const Settings&);
 
-// Does the method draw those faces of the lights' volumes that lights.cull, .clip and .depth choose?
-bool draws_chosen_faces(LightMethod);
+// Sorted, as files and messages name them.
+std::vector<std::string> ids_of(const std::set<Mistake>&);
 
 // Every unsound choice by its path and the failure it shows; empty = sound.
 struct Unsound {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/method_choice.h"
 #include "renderer/frame/resolve.h"
+#include "renderer/gbuffer/layouts.h"
 #include "renderer/gl/device.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/passes.h"
@@ -29,7 +31,7 @@ DepthRuns Frame::depth_runs() const {
 
 bool Frame::split() const { return targets.texture(Stores::diffuse_light) != nullptr; }
 
-bool Frame::mistaken(const char* id) const { return settings.mistakes.count(id) > 0; }
+bool Frame::mistaken(Mistake m) const { return settings.mistakes.count(m) > 0; }
 
 gl::Defines Frame::defines() const {
   gl::Defines d = gbuffer_defines(settings);

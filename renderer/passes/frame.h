@@ -23,7 +23,7 @@ struct Frame {
 
   DepthRuns depth_runs() const;
   bool split() const;  // are diffuse and specular light kept apart?
-  bool mistaken(const char* id) const;
+  bool mistaken(Mistake) const;
   glm::vec3 background() const;  // linear; the sky's is a function of direction, in the shader
 
   gl::Defines defines() const;          // of every program that reads the G-buffer or the lights

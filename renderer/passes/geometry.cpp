@@ -26,7 +26,7 @@ int draw_geometry(const Frame& frame) {
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
   Targets& t = frame.targets;
   gl::PassState state{.depth_write = true};
-  if (frame.mistaken("blend-on-in-fill")) state.blend = gl::Blend::alpha;
+  if (frame.mistaken(Mistake::blend_on_in_fill)) state.blend = gl::Blend::alpha;
   if (frame.settings.background.skip == BackgroundSkip::stencil) state.stencil = gl::Stencil::mark_surface;
   begin_drawing(t.geometry_framebuffer(), frame.settings.size, depth_tested(frame, gl::DepthTest::less, state));
   clear_gbuffer(frame);

@@ -13,7 +13,7 @@ int draw_shape(const LightingPass& pass, VolumeShape shape) {
   gl::change(volume_state(frame));
   glBindVertexArray(mesh.solid.id());
   const CullRule rule = cull_rule(frame);
-  const double scale = volume_scale(s, shape);
+  const double scale = volume_scale(s.lights.volume.fit, s.lights.volume.level, shape);
   const GLint index = program.uniform("light_index");
   const std::vector<Light>& lights = frame.targets.lights;
   int draws = 0;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
+#include "renderer/gbuffer/layouts.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/options/options.h"
 #include "renderer/pitfalls/mistakes.h"
@@ -22,8 +23,8 @@ constexpr const char* kStoresNames[] = {
     "id",       "position", "depth",       "light",    "diffuse-light", "specular-light"};
 
 void append_mistakes(gl::Defines& out, const Settings& s, MistakeIn where) {
-  for (const Mistake& m : mistakes())
-    if (m.in == where) out.push_back({constant_name("MISTAKE_", m.id), s.mistakes.count(m.id) > 0});
+  for (const MistakeRow& m : mistakes())
+    if (m.in == where) out.push_back({constant_name("MISTAKE_", m.id), s.mistakes.count(m.mistake) > 0});
 }
 
 // The encoding's functions by name, and how its code lies in a texel: the shader knows no list of encodings.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/readback.h"
 #include "renderer/gl/texture.h"

@@ -31,7 +31,7 @@ int draw_transparent(const Frame& frame) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer(Pass::geometry).id());
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   t.composed_valid = true;
-  const gl::DepthTest test = frame.mistaken("forward-without-depth") ? gl::DepthTest::off : gl::DepthTest::less;
+  const gl::DepthTest test = frame.mistaken(Mistake::forward_without_depth) ? gl::DepthTest::off : gl::DepthTest::less;
   const int markers = draw_markers(frame, composed.framebuffer, test);
   const std::vector<ObjectDraw> draws = prepare_objects(frame, true);
   begin_drawing(composed.framebuffer, size, depth_tested(frame, test, {.blend = gl::Blend::alpha}));

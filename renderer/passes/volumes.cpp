@@ -40,7 +40,8 @@ gl::PassState endless_state(const Frame& frame) {
 }
 
 void set_mesh_uniforms(const gl::Program& program, const Settings& s, VolumeShape shape, double depth_step) {
-  glUniform1f(program.find_uniform("volume_scale"), static_cast<float>(volume_scale(s, shape)));
+  glUniform1f(program.find_uniform("volume_scale"),
+              static_cast<float>(volume_scale(s.lights.volume.fit, s.lights.volume.level, shape)));
   glUniform1f(program.find_uniform("depth_step"), static_cast<float>(depth_step));
 }
 

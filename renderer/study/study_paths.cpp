@@ -8,7 +8,7 @@
 #include "renderer/base/size_text.h"
 #include "renderer/options/presets.h"
 #include "renderer/scenes/scene_look.h"
-#include "renderer/study/stability/seeded_camera.h"
+#include "renderer/study/seeded_camera.h"
 
 namespace gbl {
 namespace {

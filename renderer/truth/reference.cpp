@@ -5,6 +5,7 @@
 #include <numeric>
 #include <thread>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/light/lights.h"
 
 namespace gbl {

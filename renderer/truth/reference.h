@@ -5,6 +5,7 @@
 #include <atomic>
 #include <memory>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/truth/truth.h"
 #include "renderer/truth/truth_geometry.h"
 

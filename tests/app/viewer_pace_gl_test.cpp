@@ -1,4 +1,5 @@
 // At which size the window draws, and when: slow frames, motion and rest, and what the lab learns from times.
+#include "renderer/frame/frame_lights.h"
 #include "tests/app/viewer_fixture.h"
 
 namespace gbl::test {

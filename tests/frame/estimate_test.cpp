@@ -1,5 +1,6 @@
 #include "renderer/frame/estimate.h"
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/options/presets.h"
 #include "tests/test_support.h"
 

@@ -1,7 +1,8 @@
 // lights.method=auto: which method in which situation, always a sound one that the device has.
 #include "renderer/frame/method_choice.h"
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
+#include "renderer/frame/frame_lights.h"
 #include "renderer/options/presets.h"
 #include "tests/test_support.h"
 

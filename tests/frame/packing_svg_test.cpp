@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <regex>
 
+#include "renderer/frame/attachments.h"
 #include "renderer/frame/resolve.h"
-#include "renderer/gbuffer/gbuffer_layout.h"
 #include "renderer/options/presets.h"
 
 namespace gbl {

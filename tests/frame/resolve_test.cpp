@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
 
 namespace gbl {
 namespace {

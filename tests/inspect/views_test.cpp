@@ -5,6 +5,7 @@
 #include <set>
 
 #include "renderer/base/error.h"
+#include "renderer/gbuffer/layouts.h"
 #include "renderer/options/presets.h"
 
 namespace gbl {

@@ -71,7 +71,8 @@ TEST(Lessons, ThreeWaysStandWhereTheySay) {
     };
     const Settings s = settings_at(lesson, k);
     const Light l = generated_lights(LightGrid{}, s.lights.count, s.lights.seed, s.time_s)[37];
-    const double d = glm::length(l.position - s.camera.position), scale = volume_scale(s, VolumeShape::sphere);
+    const double d = glm::length(l.position - s.camera.position),
+                 scale = volume_scale(s.lights.volume.fit, s.lights.volume.level, VolumeShape::sphere);
     const double corner = s.camera.near * near_corner_factor(s.camera, 16.0 / 9);
     return Pose{d, l.range, scale, corner,
                 faces_to_draw(cull_rule(s.lights.cull, corner), d, l.range, l.range * scale)};

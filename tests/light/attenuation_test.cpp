@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/light/lights.h"
 
 namespace gbl {

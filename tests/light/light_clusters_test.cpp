@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/light/light_bounds.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/presets.h"

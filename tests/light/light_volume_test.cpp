@@ -5,6 +5,7 @@
 #include <set>
 
 #include "renderer/base/random.h"
+#include "renderer/frame/attachments.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -92,7 +93,7 @@ TEST(Icosphere, InradiusIsThatOfTheNearestFace) {
 
 TEST(VolumeScale, CircumscribedMeshContainsItsSphere) {
   for (int level = 0; level < kLevels; ++level) {
-    const double scale = volume_scale(fitted(VolumeFit::circumscribed, level), VolumeShape::sphere);
+    const double scale = volume_scale(VolumeFit::circumscribed, static_cast<VolumeLevel>(level), VolumeShape::sphere);
     const VolumeMesh m = icosphere(level);
     EXPECT_NEAR(scale, 1 / m.inradius, 2e-6);  // no larger than it must be
     for (const Face& f : faces(m)) EXPECT_GE(f.plane() * scale, 1);
@@ -105,7 +106,7 @@ TEST(VolumeScale, CircumscribedMeshContainsItsSphere) {
 
 TEST(VolumeScale, InscribedMeshCutsIntoItsSphere) {
   for (int level = 0; level < kLevels; ++level) {
-    EXPECT_EQ(volume_scale(fitted(VolumeFit::inscribed, level), VolumeShape::sphere), 1);
+    EXPECT_EQ(volume_scale(VolumeFit::inscribed, static_cast<VolumeLevel>(level), VolumeShape::sphere), 1);
     for (const Face& f : faces(icosphere(level))) EXPECT_LT(f.plane(), 1);
   }
 }
@@ -135,7 +136,7 @@ glm::dvec3 within_the_cone(const Light& l, Pcg32& random) {
 // The light's mesh as the vertex shader places it, light at the origin: in double, or in its float.
 VolumeMesh placed(const Light& l, const Settings& s, double slack, bool as_float) {
   VolumeMesh m = volume_mesh(volume_shape(l), s.lights.volume.level);
-  const double scale = volume_scale(s, volume_shape(l));
+  const double scale = volume_scale(s.lights.volume.fit, s.lights.volume.level, volume_shape(l));
   for (glm::vec3& v : m.vertices)
     v = as_float ? volume_vertex_f32(l, v, static_cast<float>(scale), static_cast<float>(slack))
                  : glm::vec3(volume_vertex(l, v, scale, slack));
@@ -229,7 +230,8 @@ TEST(VolumeReach, IsThatOfTheFarthestVertex) {
   for (int k = 0; k < 100; ++k) {
     const Settings s = fitted(k % 2 ? VolumeFit::circumscribed : VolumeFit::inscribed, k % kLevels);
     const Light l = k % 3 ? spot(random.in(1, 59.9), random.in(1, 100), random_direction(random)) : Light{.range = 7};
-    const double slack = random.in(0, 1), scale = volume_scale(s, volume_shape(l));
+    const double slack = random.in(0, 1),
+                 scale = volume_scale(s.lights.volume.fit, s.lights.volume.level, volume_shape(l));
     double farthest = 0;
     for (const glm::vec3& v : placed(l, s, slack, false).vertices)
       farthest = std::max(farthest, glm::length(glm::dvec3(v)));

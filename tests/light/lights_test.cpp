@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "renderer/base/random.h"
+#include "renderer/frame/frame_lights.h"
 #include "tests/test_support.h"
 
 namespace gbl {

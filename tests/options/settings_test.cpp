@@ -185,7 +185,7 @@ TEST(Settings, UnsoundChoicesAreThoseOfTheRowsInUse) {
       if (r.sound()) continue;
       EXPECT_EQ(found[0].path, o.path);
       EXPECT_EQ(found[0].value, r.id);
-      EXPECT_EQ(found[0].pitfall, r.pitfall);
+      EXPECT_EQ(found[0].pitfall, id_of(r.pitfall));
     }
 }
 
@@ -197,9 +197,9 @@ TEST(Settings, UnsoundChoicesOfPresetsAndOfAMethodWithoutVolumes) {
   EXPECT_TRUE(sound(preset("nclgl-fixed").make()));
   s.lights.method = LightMethod::fullscreen;  // draws no volume: what they do wrong is not seen
   EXPECT_TRUE(sound(s));
-  s.mistakes = {"no-such-thing"};
+  s.mistakes = {Mistake::specular_ungated};
   ASSERT_EQ(unsound_choices(s).size(), 1u);
-  EXPECT_EQ(unsound_choices(s)[0].pitfall, "no-such-thing");
+  EXPECT_EQ(unsound_choices(s)[0].pitfall, "specular-ungated");
 }
 
 TEST(Presets, AreFoundByIdAndBySettings) {

@@ -249,7 +249,7 @@ TEST_F(MethodPitfalls, EveryUnsoundRowHasAProof) {
     for (const ValueRow& r : o.values) {
       if (r.sound()) continue;
       const std::string row = fmt::format("{}={}", o.path, r.id);
-      ASSERT_TRUE(proofs.count(row)) << row << " is unsound and nothing shows its " << r.pitfall;
+      ASSERT_TRUE(proofs.count(row)) << row << " is unsound and nothing shows its " << id_of(r.pitfall);
       const Score s = proofs.at(row)();
       EXPECT_FALSE(s.right()) << row << ": " << s;
       EXPECT_GT(s.lit, 0) << row;

@@ -11,11 +11,12 @@ namespace {
 
 TEST(Mistakes, HaveIdsHelpAndSources) {
   std::set<std::string> ids;
-  for (const Mistake& m : mistakes()) {
+  for (const MistakeRow& m : mistakes()) {
     EXPECT_TRUE(ids.insert(m.id).second) << m.id;
     EXPECT_GT(std::string(m.help).size(), 20u) << m.id;
     EXPECT_GT(std::string(m.source).size(), 10u) << m.id;
-    EXPECT_EQ(&mistake(m.id), &m);
+    EXPECT_EQ(mistake_by_id(m.id), m.mistake);
+    EXPECT_EQ(&row(m.mistake), &m);
   }
 }
 
@@ -23,7 +24,7 @@ TEST(Mistakes, AreSetByIdAndUnknownOnesAreRefused) {
   Settings s;
   const Option& o = option("mistakes");
   o.set(s, Json::array({"tbn-precedence", "specular-ungated"}), o);
-  EXPECT_EQ(s.mistakes, (std::set<std::string>{"specular-ungated", "tbn-precedence"}));
+  EXPECT_EQ(s.mistakes, (std::set<Mistake>{Mistake::tbn_precedence, Mistake::specular_ungated}));
   EXPECT_FALSE(sound(s));
   const std::string line = error_line(ExitCode::bad_input, [&] { o.set(s, Json::array({"tbn-precedense"}), o); });
   EXPECT_TRUE(contains(line, "did you mean 'tbn-precedence'")) << line;
@@ -32,7 +33,7 @@ TEST(Mistakes, AreSetByIdAndUnknownOnesAreRefused) {
 
 // Each is there because a source contains it, and no mended twin does.
 TEST(Mistakes, EachStandsInASourcesPresetAndInNoMendedOne) {
-  std::set<std::string> used;
+  std::set<Mistake> used;
   for (const Preset& p : presets()) {
     const Settings s = p.make();
     used.insert(s.mistakes.begin(), s.mistakes.end());
@@ -40,7 +41,7 @@ TEST(Mistakes, EachStandsInASourcesPresetAndInNoMendedOne) {
       EXPECT_TRUE(sound(s)) << p.id << ": " << unsound_choices(s).front().pitfall;
     }
   }
-  for (const Mistake& m : mistakes()) EXPECT_TRUE(used.count(m.id)) << m.id;
+  for (const MistakeRow& m : mistakes()) EXPECT_TRUE(used.count(m.mistake)) << m.id;
 }
 
 }  // namespace

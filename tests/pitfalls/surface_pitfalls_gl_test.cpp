@@ -61,7 +61,7 @@ Settings grove_settings(Tangents tangents) {
   return s;
 }
 
-Settings with(Settings s, const char* mistake) {
+Settings with(Settings s, Mistake mistake) {
   s.mistakes = {mistake};
   return s;
 }
@@ -126,7 +126,7 @@ const std::map<std::string, std::function<Proof()>>& row_proofs() {
 
 // ---- mistakes ----------------------------------------------------------------------------------------------
 
-Proof tilted_normals(const char* mistake, const GpuScene& scene, double at_least) {
+Proof tilted_normals(Mistake mistake, const GpuScene& scene, double at_least) {
   const Settings s = exact_settings(scene);
   return {mean_angle(with(s, mistake), scene), mean_angle(s, scene), at_least, 1e-3};
 }
@@ -139,13 +139,13 @@ Proof short_normals() {
     const std::vector<double> lengths = stored_lengths(drawn, terrain());
     return 1 - *std::min_element(lengths.begin(), lengths.end());
   };
-  return {deficit(with(s, "interpolated-not-normalised")), deficit(s), 1e-4, 1e-6};
+  return {deficit(with(s, Mistake::interpolated_not_normalised)), deficit(s), 1e-4, 1e-6};
 }
 
 // Alpha is roughness there.
 Proof blended_fill() {
   Settings s = settings_for(yard());
-  const Compared c = against_truth(with(s, "blend-on-in-fill"), yard()), f = against_truth(s, yard());
+  const Compared c = against_truth(with(s, Mistake::blend_on_in_fill), yard()), f = against_truth(s, yard());
   return {double(c.darker), double(f.both()), 1000, 0};
 }
 
@@ -154,14 +154,14 @@ Proof lengths_of_codes() {
   Settings s = exact_settings(yard(), {320, 180});
   s.normal.encoding = NormalEncoding::xyz8;
   s.shading = {ShadingModel::blinn_phong, 256, 1};
-  const Compared c = against_truth(with(s, "decode-not-normalised"), yard(), 4), f = against_truth(s, yard(), 4);
+  const Compared c = against_truth(with(s, Mistake::decode_not_normalised), yard(), 4), f = against_truth(s, yard(), 4);
   return {double(c.both()), double(f.both()), 20, 0};
 }
 
 Proof ungated_highlights() {
   Settings s = exact_settings(yard());
   s.shading = {ShadingModel::phong, 4, 0.5};
-  const Compared c = against_truth(with(s, "specular-ungated"), yard()), f = against_truth(s, yard());
+  const Compared c = against_truth(with(s, Mistake::specular_ungated), yard()), f = against_truth(s, yard());
   EXPECT_LE(c.darker, f.darker) << "it only ever adds light";
   return {double(c.brighter), double(f.both()), 50, 0};
 }
@@ -170,7 +170,8 @@ Proof discs_of_light() {
   Settings s = exact_settings(yard());
   s.lights.count = 16;
   s.attenuation = Attenuation::none;
-  const Compared c = against_truth(with(s, "volume-without-distance-test"), yard()), f = against_truth(s, yard());
+  const Compared c = against_truth(with(s, Mistake::volume_without_distance_test), yard()),
+                 f = against_truth(s, yard());
   EXPECT_LE(c.darker, f.darker) << "it only ever adds light";
   return {double(c.brighter), double(f.both()), 200, 0};
 }
@@ -179,7 +180,7 @@ Proof short_range() {
   Settings s = exact_settings(yard());
   s.attenuation = Attenuation::ramp;
   s.range.kind = RangeKind::threshold;
-  const Compared c = against_truth(with(s, "range-shortcut"), yard()), f = against_truth(s, yard());
+  const Compared c = against_truth(with(s, Mistake::range_shortcut), yard()), f = against_truth(s, yard());
   EXPECT_LE(c.brighter, f.brighter) << "it only ever loses light";
   return {double(c.darker), double(f.both()), 200, 0};
 }
@@ -192,21 +193,22 @@ Proof markers_through_a_wall() {
   s.camera.position = {20, 2, -4};
   s.camera.orientation = orientation_from_yaw_pitch(180, 0);
   s.camera.fov = 30;
-  const Compared c = against_truth(with(s, "forward-without-depth"), yard()), f = against_truth(s, yard());
+  const Compared c = against_truth(with(s, Mistake::forward_without_depth), yard()), f = against_truth(s, yard());
   return {double(c.both()), double(f.both()), 50, 0};
 }
 
-const std::map<std::string, std::function<Proof()>>& mistake_proofs() {
-  static const std::map<std::string, std::function<Proof()>> proofs = {
-      {"tbn-precedence", [] { return tilted_normals("tbn-precedence", terrain(), 1); }},
-      {"interpolated-not-normalised", short_normals},
-      {"nonuniform-scale-normal", [] { return tilted_normals("nonuniform-scale-normal", squashed(), 0.3); }},
-      {"blend-on-in-fill", blended_fill},
-      {"decode-not-normalised", lengths_of_codes},
-      {"specular-ungated", ungated_highlights},
-      {"volume-without-distance-test", discs_of_light},
-      {"range-shortcut", short_range},
-      {"forward-without-depth", markers_through_a_wall},
+const std::map<Mistake, std::function<Proof()>>& mistake_proofs() {
+  static const std::map<Mistake, std::function<Proof()>> proofs = {
+      {Mistake::tbn_precedence, [] { return tilted_normals(Mistake::tbn_precedence, terrain(), 1); }},
+      {Mistake::interpolated_not_normalised, short_normals},
+      {Mistake::nonuniform_scale_normal,
+       [] { return tilted_normals(Mistake::nonuniform_scale_normal, squashed(), 0.3); }},
+      {Mistake::blend_on_in_fill, blended_fill},
+      {Mistake::decode_not_normalised, lengths_of_codes},
+      {Mistake::specular_ungated, ungated_highlights},
+      {Mistake::volume_without_distance_test, discs_of_light},
+      {Mistake::range_shortcut, short_range},
+      {Mistake::forward_without_depth, markers_through_a_wall},
   };
   return proofs;
 }
@@ -224,22 +226,22 @@ TEST_F(SurfacePitfalls, EveryUnsoundRowHasAProof) {
     for (const ValueRow& r : o.values) {
       if (r.sound()) continue;
       const std::string name = fmt::format("{}={}", o.path, r.id);
-      ASSERT_TRUE(row_proofs().count(name)) << name << " is unsound and nothing shows its " << r.pitfall;
+      ASSERT_TRUE(row_proofs().count(name)) << name << " is unsound and nothing shows its " << id_of(r.pitfall);
       expect_proof(name, row_proofs().at(name)());
     }
   }
 }
 
 TEST_F(SurfacePitfalls, EveryMistakeHasAProof) {
-  for (const Mistake& m : mistakes()) {
-    ASSERT_TRUE(mistake_proofs().count(m.id)) << m.id;
-    expect_proof(m.id, mistake_proofs().at(m.id)());
+  for (const MistakeRow& m : mistakes()) {
+    ASSERT_TRUE(mistake_proofs().count(m.mistake)) << m.id;
+    expect_proof(m.id, mistake_proofs().at(m.mistake)());
   }
 }
 
 // The headline bug is invisible on flat ground: turning (1, 1, 1) gives (1, 1, 1) there.
 TEST_F(SurfacePitfalls, TbnPrecedenceIsHiddenByGroundWithoutANormalMap) {
-  EXPECT_LE(mean_angle(with(exact_settings(yard()), "tbn-precedence"), yard()), 1e-3);
+  EXPECT_LE(mean_angle(with(exact_settings(yard()), Mistake::tbn_precedence), yard()), 1e-3);
 }
 
 }  // namespace

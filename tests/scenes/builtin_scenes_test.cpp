@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/validate.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/settings_json.h"

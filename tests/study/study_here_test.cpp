@@ -19,7 +19,7 @@ Settings settings_now() {
   s.lights.count = 7, s.lights.seed = 5, s.lights.range_scale = 1.5;
   s.attenuation = Attenuation::quadratic;
   s.exposure = 1.25, s.time_s = 0.5;
-  s.mistakes = {"no-srgb"};
+  s.mistakes = {Mistake::tbn_precedence};
   return s;
 }
 

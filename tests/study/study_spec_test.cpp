@@ -8,7 +8,7 @@
 
 #include "renderer/options/presets.h"
 #include "renderer/scenes/scene_look.h"
-#include "renderer/study/stability/seeded_camera.h"
+#include "renderer/study/seeded_camera.h"
 #include "tests/test_support.h"
 
 namespace gbl {

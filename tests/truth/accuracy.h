@@ -5,7 +5,7 @@
 #include "app/bench.h"
 #include "renderer/options/options.h"
 #include "renderer/scenes/scene_look.h"
-#include "renderer/study/stability/seeded_camera.h"
+#include "renderer/study/seeded_camera.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {

@@ -105,7 +105,7 @@ TEST_F(ReferenceGl, ATruthIsKeptAndMadeAnewOnlyWhenTheTruthChanges) {
   const auto first = keeper.get(renderer, yard(), s, true);
   s.normal.encoding = NormalEncoding::oct8;
   s.lights.method = LightMethod::clustered;
-  s.mistakes = {"tbn-precedence"};
+  s.mistakes = {Mistake::tbn_precedence};
   EXPECT_EQ(keeper.get(renderer, yard(), s, true), first) << "how it is drawn is not part of what is true";
   s.ambient = 0.3;
   EXPECT_NE(keeper.get(renderer, yard(), s, true), first);

@@ -311,7 +311,7 @@ TEST(Reference, MistakesAreNeverTrue) {
   s.range.kind = RangeKind::threshold;
   s.attenuation = Attenuation::ramp;
   const Truth right = truth_of(scene, s);
-  s.mistakes = {"range-shortcut", "tbn-precedence", "specular-ungated"};
+  s.mistakes = {Mistake::range_shortcut, Mistake::tbn_precedence, Mistake::specular_ungated};
   EXPECT_EQ(truth_of(scene, s).lit, right.lit);
 }
 

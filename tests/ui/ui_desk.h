@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/presets.h"
 #include "ui/keys.h"

@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <set>
 
+#include "renderer/frame/frame_lights.h"
 #include "renderer/lessons/lessons.h"
 #include "tests/ui/ui_desk.h"
 #include "ui/camera_motion.h"

@@ -4,10 +4,11 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/frame/estimate.h"
+#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/method_choice.h"
 #include "renderer/frame/resolve.h"
-#include "renderer/gbuffer/gbuffer_layout.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/options.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/frame_lights.h"
 #include "renderer/light/lights.h"
 #include "renderer/study/stability/stability.h"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/frame/attachments.h"
 #include "renderer/frame/resolve.h"
-#include "renderer/gbuffer/gbuffer_layout.h"
 #include "tests/test_support.h"
 #include "tests/truth/closed_scene.h"
 

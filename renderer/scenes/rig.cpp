@@ -1,4 +1,4 @@
-#include "renderer/light/rig.h"
+#include "renderer/scenes/rig.h"
 
 #include <algorithm>
 #include <cmath>

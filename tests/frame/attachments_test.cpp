@@ -1,9 +1,10 @@
-#include "renderer/gbuffer/gbuffer_layout.h"
+#include "renderer/frame/attachments.h"
 
 #include <algorithm>
 #include <functional>
 #include <set>
 
+#include "renderer/gbuffer/layouts.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
@@ -188,7 +189,7 @@ TEST(GbufferLayout, FactsOfALayoutAgreeWithItsAttachment) {
     Settings s;
     s.layout = static_cast<Layout>(r.value);
     if (s.layout == Layout::auto_) continue;
-    const LayoutFacts& known = facts(s.layout);
+    const LayoutRow& known = facts(s.layout);
     std::string contents;
     for (const Attachment& a : attachments(s)) contents += a.written_by == Pass::geometry ? a.contents : "";
     EXPECT_EQ(known.stores_roughness(), contains(contents, "roughness") || contains(contents, "exponent")) << r.id;

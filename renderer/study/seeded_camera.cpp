@@ -1,10 +1,10 @@
-#include "renderer/study/stability/seeded_camera.h"
+#include "renderer/study/seeded_camera.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "renderer/base/random.h"
-#include "renderer/study/stability/scene_rays.h"
+#include "renderer/study/scene_rays.h"
 
 namespace gbl {
 namespace {

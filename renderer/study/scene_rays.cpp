@@ -1,4 +1,4 @@
-#include "renderer/study/stability/scene_rays.h"
+#include "renderer/study/scene_rays.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
-#include "renderer/study/stability/seeded_camera.h"
+#include "renderer/study/seeded_camera.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
 #include "renderer/scenes/builtin_scenes.h"
-#include "renderer/study/stability/scene_rays.h"
+#include "renderer/study/scene_rays.h"
 
 namespace gbl {
 namespace {

@@ -1,0 +1,139 @@
+#include "renderer/frame/attachments.h"
+
+#include <cmath>
+
+#include "renderer/gbuffer/layouts.h"
+#include "renderer/gbuffer/normal_encoding.h"
+#include "renderer/light/light_methods.h"
+
+namespace gbl {
+namespace {
+
+constexpr Attachment of_geometry(const char* name, Stores stores, Format format, const char* contents) {
+  return {name, Pass::geometry, stores, format, contents};
+}
+
+constexpr int kNormalBitsInMaterial = 28;  // of the first word of the compact layouts
+
+// What lighting needs when the materials come later: deferred lighting's thin G-buffer.
+constexpr Attachment kThin =
+    of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba8, "rgb: specular colour; a: roughness");
+constexpr Attachment kThinFloat =
+    of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba32f, kThin.contents);
+
+Attachment position_attachment(PositionSource source) {
+  constexpr Format kFormats[] = {Format::r32f,    Format::r32f,    Format::rgba16f, Format::rgba32f,
+                                 Format::rgba16f, Format::rgba32f, Format::rgba32f};
+  return {"gbuffer.position", Pass::geometry, Stores::position, kFormats[static_cast<int>(source)], row(source).help};
+}
+
+// D16 has no variant with a stencil buffer; validate() says so.
+Format depth_format(const Settings& s) {
+  constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f, Format::d32f};
+  const Format plain = kDepth[static_cast<int>(s.depth.format)];
+  if (!needs_stencil(s)) return plain;
+  return plain == Format::d24 ? Format::d24s8 : plain == Format::d32f ? Format::d32fs8 : plain;
+}
+
+Format accumulation_format(AccumulationFormat f) {
+  constexpr Format kAccumulation[] = {Format::rgba8, Format::r11g11b10f, Format::rgba16f, Format::rgba32f};
+  return kAccumulation[static_cast<int>(f)];
+}
+
+int bytes_per_pixel(const Settings& s, Pass pass) {
+  int bytes = 0;
+  for (const Attachment& a : attachments(s))
+    if (a.written_by == pass) bytes += row(a.format).bytes;
+  return bytes;
+}
+
+bool split(const Settings& s) { return s.accumulation.targets == AccumulationTargets::split; }
+
+void append_material(const Settings& s, std::vector<Attachment>& all) {
+  if (shading_of(s.lights.method) == Shading::light_prepass) {
+    all.push_back(s.layout == Layout::float32 ? kThinFloat : kThin);
+    return;
+  }
+  for (const MaterialTexel& t : facts(s.layout).material)
+    if (t.name) all.push_back(of_geometry(t.name, t.stores, t.format, t.contents));
+  if (s.layout == Layout::stereo) {
+    const Format sum = accumulation_format(s.accumulation.format);
+    all.push_back(sum_begins_in_geometry(s)
+                      ? of_geometry("light.sum", Stores::light, sum, "rgb: ambient + emission, then all light")
+                      : of_geometry("gbuffer.accumulation", Stores::emission, sum, "rgb: ambient + emission"));
+  }
+}
+
+void append_light(const Settings& s, std::vector<Attachment>& all) {
+  const Format sum = accumulation_format(s.accumulation.format);
+  if (split(s)) {
+    all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
+    all.push_back({"light.specular", Pass::lighting, Stores::specular_light, sum, "rgb: specular light"});
+  } else if (!sum_begins_in_geometry(s)) {
+    all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
+  }
+  if (lighting_has_depth(s))
+    all.push_back({"light.depth", Pass::lighting, Stores::light_depth, depth_format(s),
+                   needs_stencil(s) ? "a copy of the depth; stencil: marks" : "a copy of the depth"});
+}
+
+}  // namespace
+
+bool sum_begins_in_geometry(const Settings& s) {
+  return s.layout == Layout::stereo && !split(s) && shading_of(s.lights.method) == Shading::deferred;
+}
+
+bool normal_in_material(const Settings& s) {
+  return (s.layout == Layout::compact || s.layout == Layout::compact_metal) &&
+         shading_of(s.lights.method) == Shading::deferred && row_of(s.normal.encoding).format == Format::r32ui &&
+         row_of(s.normal.encoding).bits() <= kNormalBitsInMaterial;
+}
+
+std::vector<Attachment> attachments(const Settings& s) {
+  std::vector<Attachment> all;
+  const bool forward = shading_of(s.lights.method) == Shading::forward;
+  if (!forward) {
+    append_material(s, all);
+    if (!normal_in_material(s))
+      all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, row_of(s.normal.encoding).format,
+                     row(s.normal.encoding).label});
+    if (s.position.source != PositionSource::depth) all.push_back(position_attachment(s.position.source));
+  }
+  all.push_back({"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s),
+                 s.depth.format == DepthFormat::d32f_reversed ? "window depth 1..0, near to far"
+                                                              : "window depth 0..1, near to far"});
+  if (!forward) append_light(s, all);
+  all.push_back(
+      {"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
+  return all;
+}
+
+bool needs_stencil(const Settings& s) {
+  return facts(s.lights.method).marks_stencil ||
+         (s.background.skip == BackgroundSkip::stencil && shading_of(s.lights.method) != Shading::forward);
+}
+
+bool lighting_has_depth(const Settings& s) { return lighting_tests_depth(s) || needs_stencil(s); }
+
+bool lighting_tests_depth(const Settings& s) {
+  return facts(s.lights.method).compares_depth ||
+         (draws_chosen_faces(s.lights.method) && s.lights.volume.depth != VolumeDepth::none);
+}
+
+// One step of the format, for both depths are rounded to it; and of float, in which a face's depth is interpolated from
+// its vertices', four.
+double volume_depth_step(const Settings& s) {
+  if (!lighting_tests_depth(s)) return 0;
+  return std::ldexp(1, s.depth.format == DepthFormat::d16 ? -16 : -24) + std::ldexp(4, -24);
+}
+
+const Attachment* find(const std::vector<Attachment>& all, Stores what) {
+  for (const Attachment& a : all)
+    if (a.stores == what) return &a;
+  return nullptr;
+}
+
+int gbuffer_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(s, Pass::geometry); }
+int accumulation_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(s, Pass::lighting); }
+
+}  // namespace gbl

@@ -1,0 +1,25 @@
+#include "renderer/gbuffer/layouts.h"
+
+#include "renderer/rows/value_table.h"
+
+namespace gbl {
+namespace {
+
+constexpr MaterialTexel kExactMaterial = {
+    "gbuffer.material", Stores::material, Format::rg32ui,
+    "r: base colour 10 10 10 sRGB-coded, roughness bits 0-1; g: roughness bits 2-13, metal 10, occlusion 10"};
+
+#define LAYOUT(name, ...) {__VA_ARGS__},
+constexpr LayoutRow kLayouts[] = {
+#include "renderer/gbuffer/layouts.inc"
+};
+#undef LAYOUT
+constexpr auto kValues = values_of<kLayouts>([](const LayoutRow& r) { return r.axis; });
+
+}  // namespace
+
+GBL_ROWS(Layout, kValues)
+
+const LayoutRow& facts(Layout l) { return kLayouts[static_cast<int>(l)]; }
+
+}  // namespace gbl

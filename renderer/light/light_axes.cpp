@@ -1,0 +1,78 @@
+#include "renderer/light/light_axes.h"
+
+#include "renderer/rows/value_table.h"
+
+namespace gbl {
+namespace {
+
+// clang-format off
+constexpr ValueRow kLightSource[] = {
+  {.value = at(LightSource::scene), .id = "scene", .label = "the scene's own", .help = "the lights that the scene brings"},
+  {.value = at(LightSource::generated), .id = "generated", .label = "generated", .help = "N lights placed by the scene's generator from a seed, at constant mean overlap"},
+  {.value = at(LightSource::rig), .id = "rig", .label = "a lighting rig", .help = "the lights of the file named by lights.rig"},
+};
+constexpr ValueRow kLightSpot[] = {
+  {.value = at(LightSpot::cone), .id = "cone", .label = "cone", .help = "spot lights end smoothly between an inner and an outer angle"},
+  {.value = at(LightSpot::cos_power), .id = "cos-power", .label = "power of the cosine", .help = "no edge: cos^n of the angle off the axis, n such that a twentieth is left at the outer angle", .source = "tutorial 08-2, ProcessSpotLights"},
+};
+constexpr ValueRow kLightMarkers[] = {
+  {.value = at(LightMarkers::off), .id = "off", .label = "off", .help = "lights are not drawn"},
+  {.value = at(LightMarkers::on), .id = "on", .label = "cubes", .help = "a small cube in its colour at each point and spot light, drawn forward after lighting", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
+};
+constexpr ValueRow kAttenuation[] = {
+  {.value = at(Attenuation::none), .id = "none", .label = "none", .help = "full strength up to the range, then nothing"},
+  {.value = at(Attenuation::linear), .id = "linear", .label = "linear 1 - d/r", .help = "falls in a straight line to 0 at the range; a visible kink at the rim", .source = "nclgl tutorial 15, pointlightfragment.glsl line 27"},
+  {.value = at(Attenuation::quadratic), .id = "quadratic", .label = "1/(1 + 0.7 d + 1.8 d2)", .help = "never reaches 0: cut off at the range", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
+  {.value = at(Attenuation::ramp), .id = "ramp", .label = "1/max(1, 0.2 + 0.4 x + 0.4 x2)", .help = "x = 4 d/r: full near the light, then a kink, cut off at the range", .source = "engine blog, parts 30 and 31"},
+  {.value = at(Attenuation::inverse_linear), .id = "inverse-linear", .label = "1/(1 + 9 d/r)", .help = "falls to a tenth, cut off at the range", .source = "tutorial 08-2, point lights"},
+  {.value = at(Attenuation::windowed), .id = "windowed", .label = "inverse square, windowed", .help = "(1 - (d/r)^4)^2 / d^2: physical near the light, smoothly 0 at the range", .source = "Karis 2013, Real Shading in Unreal Engine 4"},
+};
+constexpr ValueRow kRangeKind[] = {
+  {.value = at(RangeKind::source), .id = "source", .label = "as the source says", .help = "the light's own range; nothing is lit at or beyond it"},
+  {.value = at(RangeKind::threshold), .id = "threshold", .label = "where it gets faint", .help = "a light ends where its falloff leaves range.threshold of its brightest channel's 1: a visible edge", .source = "de Vries 2014, LearnOpenGL, Deferred Shading: 5/256"},
+  {.value = at(RangeKind::windowed), .id = "windowed", .label = "windowed", .help = "as the source says, and the falloff times (1 - (d/r)^4)^2: smoothly 0 at the range", .source = "Karis 2013, Real Shading in Unreal Engine 4"},
+  {.value = at(RangeKind::none), .id = "none", .label = "endless", .help = "lights never end: every pixel is in every light, and culling saves nothing", .cost = "all pairs", .source = "tutorial 08-2, ProcessPointLights"},
+};
+constexpr ValueRow kLightCull[] = {
+  {.value = at(LightCull::flip), .id = "flip", .label = "flip", .help = "back faces when the camera is nearer than the range, else front faces (as source 0)", .source = "nclgl tutorial 15, renderer.cpp lines 228-234", .pitfall = Pitfall::near_plane_cut},
+  {.value = at(LightCull::back), .id = "back", .label = "back", .help = "front faces only: nothing is left to draw once the camera is inside", .pitfall = Pitfall::backface_cull_inside},
+  {.value = at(LightCull::none), .id = "none", .label = "none", .help = "both faces: every light counts twice when seen from outside", .cost = "2 x pairs", .pitfall = Pitfall::no_culling_doubles},
+  {.value = at(LightCull::front), .id = "front", .label = "front", .help = "back faces only: right inside and outside, while no plane clips them"},
+  {.value = at(LightCull::flip_safe), .id = "flip-safe", .label = "flip-safe", .help = "as flip, but inside means nearer than the mesh's radius plus the near plane's corner"},
+};
+constexpr ValueRow kVolumeLevel[] = {
+  {.value = at(VolumeLevel::l0), .id = "0", .label = "0 (20 faces)", .help = "the icosahedron itself", .cost = "20 triangles"},
+  {.value = at(VolumeLevel::l1), .id = "1", .label = "1 (80 faces)", .help = "each face split in four once", .cost = "80 triangles"},
+  {.value = at(VolumeLevel::l2), .id = "2", .label = "2 (320 faces)", .help = "split twice", .cost = "320 triangles"},
+  {.value = at(VolumeLevel::l3), .id = "3", .label = "3 (1280 faces)", .help = "split three times", .cost = "1280 triangles"},
+  {.value = at(VolumeLevel::l4), .id = "4", .label = "4 (5120 faces)", .help = "split four times", .cost = "5120 triangles"},
+};
+constexpr ValueRow kVolumeFit[] = {
+  {.value = at(VolumeFit::inscribed), .id = "inscribed", .label = "inscribed", .help = "vertices on the sphere: the faces cut into it and notches appear at the rim", .pitfall = Pitfall::inscribed_mesh},
+  {.value = at(VolumeFit::circumscribed), .id = "circumscribed", .label = "circumscribed", .help = "scaled by 1/inradius: the mesh contains the sphere", .cost = "up to 24 % more pairs at level 0"},
+};
+constexpr ValueRow kVolumeClip[] = {
+  {.value = at(VolumeClip::none), .id = "none", .label = "not clipped", .help = "vertices are put at mid-depth, so near and far planes cut nothing"},
+  {.value = at(VolumeClip::planes), .id = "planes", .label = "near and far clip", .help = "the planes cut the mesh as in the sources: whole lights can vanish", .pitfall = Pitfall::near_plane_cut},
+};
+constexpr ValueRow kVolumeDepth[] = {
+  {.value = at(VolumeDepth::none), .id = "none", .label = "no depth test", .help = "every pixel under the volume is shaded, near or far"},
+  {.value = at(VolumeDepth::less_equal), .id = "less-equal", .label = "front faces before the surface", .help = "leaves out surfaces in front of the volume; needs cull back, and with it loses the light that the camera is inside", .cost = "a copy of the depth", .pitfall = Pitfall::backface_cull_inside, .needs = Feature::depth_clamp},
+  {.value = at(VolumeDepth::greater_equal), .id = "greater-equal", .label = "back faces behind the surface", .help = "leaves out surfaces behind the volume; needs cull front, and is right inside and outside", .cost = "a copy of the depth", .needs = Feature::depth_clamp},
+};
+// clang-format on
+
+}  // namespace
+
+GBL_ROWS(LightSource, kLightSource)
+GBL_ROWS(LightSpot, kLightSpot)
+GBL_ROWS(LightMarkers, kLightMarkers)
+GBL_ROWS(Attenuation, kAttenuation)
+GBL_ROWS(RangeKind, kRangeKind)
+GBL_ROWS(LightCull, kLightCull)
+GBL_ROWS(VolumeLevel, kVolumeLevel)
+GBL_ROWS(VolumeFit, kVolumeFit)
+GBL_ROWS(VolumeClip, kVolumeClip)
+GBL_ROWS(VolumeDepth, kVolumeDepth)
+
+}  // namespace gbl
