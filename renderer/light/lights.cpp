@@ -5,10 +5,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
-#include "renderer/base/error.h"
 #include "renderer/base/random.h"
-#include "renderer/light/attenuation.h"
-#include "renderer/scenes/rig.h"
 
 namespace gbl {
 
