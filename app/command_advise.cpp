@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
 
@@ -121,7 +122,7 @@ ExitCode run_advise(const Arguments& a) {
     return ExitCode::check_failed;
   }
   if (a.apply) {
-    write_text_file(folder / "settings.json", to_json(advice.best->settings).dump(2) + "\n");
+    write_text_file(folder / "settings.json", settings_text(advice.best->settings) + "\n");
     fmt::print(stderr, "gbufferlab: written to {}; use it with --state\n", (folder / "settings.json").string());
   }
   return ExitCode::done;

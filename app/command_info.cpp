@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/headless.h"
+#include "renderer/base/json.h"
 #include "renderer/gl/device.h"
 #include "renderer/gltf/scene_gltf.h"
 #include "renderer/options/settings_json.h"

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/headless.h"
+#include "renderer/base/json.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/gbuffer/position_source.h"
 #include "renderer/gl/device.h"

@@ -10,6 +10,7 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/report_json.h"
+#include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
 #include "renderer/frame/frame_lights.h"
 #include "renderer/frame/packing_svg.h"
@@ -132,7 +133,7 @@ ExitCode run_render(const Arguments& a) {
   announce(lab, s);
   lab.draw(s);
   lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMostLitTests);
-  const std::string state = to_json(s).dump(2) + "\n";
+  const std::string state = settings_text(s) + "\n";
   Writer writer(folder, {{kSettingsKey, state}});
   for (const View v : shown) {
     if (needs_truth(v))
@@ -199,7 +200,7 @@ ExitCode run_start_sheets(const Arguments& a) {
   Lab lab(without_of(a));
   const fs::path folder = "out";
   make_folder(folder);
-  const PngText texts = {{kSettingsKey, to_json(s).dump(2)}};
+  const PngText texts = {{kSettingsKey, settings_text(s)}};
   write_png(folder / "start.png", first_screen(lab, s), texts);
   write_png(folder / "start_cull.png", three_culls(lab, s), texts);
   fmt::print("No display: wrote the first screen instead.\n  {}\n  {}\n", (folder / "start.png").string(),

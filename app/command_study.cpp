@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
+#include "renderer/base/json.h"
 #include "renderer/scenes/scene_look.h"
 #include "renderer/study/study.h"
 #include "renderer/study/study_files.h"

@@ -38,7 +38,7 @@ std::string save_figure(glm::ivec2 size, const Settings& s) {
     glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     make_folder("out");
     const std::filesystem::path path = free_figure_name(s);
-    write_png(path, image_from_gl_rows(size, std::move(pixels)), {{kSettingsKey, to_json(s).dump(2)}});
+    write_png(path, image_from_gl_rows(size, std::move(pixels)), {{kSettingsKey, settings_text(s)}});
     return fmt::format("saved {}", path.string());
   } catch (const Error& e) {
     return e.what();

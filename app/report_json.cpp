@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/json.h"
+
 namespace gbl {
 Json report_json(const Lab& lab) {
   const FrameReport& r = lab.report();

@@ -40,7 +40,7 @@ void apply_camera(Settings& s, const std::string& text) {
   if (parts.size() < 2 || parts.size() > 3) throw bad();
   const auto place = numbers(parts[0], "--camera", kForm), turn = numbers(parts[1], "--camera", kForm);
   if (place.size() != 3 || turn.size() != 2) throw bad();
-  apply_patch(s, {{"camera.position", place}}, "--camera");
+  apply_patch(s, {{"camera.position", OptionList(place.begin(), place.end())}}, "--camera");
   s.camera.orientation = orientation_from_yaw_pitch(turn[0], turn[1]);
   s.camera.orthographic_height = 0;
   if (parts.size() < 3) return;
@@ -53,15 +53,15 @@ void apply_size(Settings& s, const std::string& text) {
   const std::optional<glm::ivec2> size = size_of(text);
   if (!size)
     throw Error(ExitCode::bad_input, "--size", fmt::format("'{}' is not a size", text), "write WxH, e.g. 1280x720");
-  apply_patch(s, {{"size", {size->x, size->y}}}, "--size");
+  apply_patch(s, {{"size", OptionList{size->x, size->y}}}, "--size");
 }
 
 Settings read_state(const std::string& file) {
   const bool png = file.size() > 4 && file.substr(file.size() - 4) == ".png";
-  if (!png) return from_json(read_json(file), file);
+  if (!png) return read_settings(file);
   const std::string text = read_png_text(file, kSettingsKey);
   if (text.empty()) throw Error(ExitCode::bad_input, file, "holds no settings", "give a PNG that this program wrote");
-  return from_json(parse_json(text, file), file);
+  return parse_settings(text, file);
 }
 
 }  // namespace

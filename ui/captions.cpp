@@ -22,13 +22,14 @@ std::string cost_sentence(const ValueRow& before, const ValueRow& after) {
   return was.empty() ? fmt::format(" Cost: {}.", now) : fmt::format(" Cost: {} (was {}).", now, was);
 }
 
-std::string json_text(const Json& v, int digits = 6) {
-  if (v.is_string()) return v.get<std::string>();
-  if (v.is_number_float()) return fmt::format("{:.{}g}", v.get<double>(), digits);
-  if (!v.is_array()) return v.dump();
-  std::string text = "[";
-  for (const Json& element : v) text += (text.size() > 1 ? ", " : "") + json_text(element, v.size() > 3 ? 3 : digits);
-  return text + "]";
+std::string plain_text(const OptionValue& v, int digits = 6) {
+  if (const auto* text = std::get_if<std::string>(&v)) return *text;
+  if (const auto* n = std::get_if<Number>(&v)) return n->whole ? written(v) : fmt::format("{:.{}g}", n->value, digits);
+  const auto& list = std::get<OptionList>(v);
+  std::string text;
+  for (const OptionValue& part : list)
+    text += (text.empty() ? "" : ", ") + plain_text(part, list.size() > 3 ? 3 : digits);
+  return fmt::format("[{}]", text);
 }
 
 // Which choice puts this option out of use.
@@ -58,7 +59,7 @@ std::string grouped(uint64_t number) {
 
 std::string value_text(const Option& o, const Settings& s) {
   if (o.kind == Kind::choice) return o.values[chosen(o, s)].label;
-  return json_text(o.get(s));
+  return plain_text(o.get(s));
 }
 
 Sentence describe_step(const Option& o, const Settings& before, const Settings& after) {

@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/validate.h"
 #include "renderer/options/presets.h"
+#include "renderer/options/settings_json.h"
 #include "ui/camera_motion.h"
 #include "ui/state.h"
 
@@ -68,7 +69,7 @@ void imply(const Option& o, Settings& s) {
 }
 }  // namespace
 
-void edit_option(FrameContext& f, const Option& o, const Json& value) {
+void edit_option(FrameContext& f, const Option& o, const OptionValue& value) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
     o.set(s, value, o);
@@ -78,13 +79,21 @@ void edit_option(FrameContext& f, const Option& o, const Json& value) {
   if (o.get(before) != o.get(f.settings)) say(f, describe_step(o, before, f.settings));
 }
 
+void edit_option_as_typed(FrameContext& f, const Option& o, const std::string& text) {
+  try {
+    edit_option(f, o, o.kind == Kind::text ? OptionValue(text) : parse_value(text, o.path));
+  } catch (const Error& e) {
+    f.state.notice = e.what();
+  }
+}
+
 void step_option(FrameContext& f, const Option& o, int step) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
     if (o.kind == Kind::choice)
       step_choice(o, s, step, f.input.features);
     else if (o.kind == Kind::integer)
-      o.set(s, next_power(o.get(s).get<int>(), step, static_cast<int>(o.max)), o);
+      o.set(s, next_power(static_cast<int>(std::get<Number>(o.get(s)).value), step, static_cast<int>(o.max)), o);
     imply(o, s);
   });
   if (done) say(f, describe_step(o, before, f.settings));

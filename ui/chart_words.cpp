@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/options/settings_json.h"
 #include "ui/chart_view.h"
 
 namespace gbl::ui {
@@ -89,7 +90,7 @@ std::string row_title(const ChartInput& in, size_t index) {
   if (!text.empty() || index >= in.settings.size()) return text;
   for (const FamilyPath& family : family_paths()) {  // tried by hand: no study says in what it differs
     const Option& o = option(family.path);
-    add(coordinate_text(o.path, o.get(in.settings[index])));
+    add(coordinate_text(o.path, to_json(o.get(in.settings[index]))));
   }
   return text;
 }

@@ -44,10 +44,7 @@ const std::vector<Page>& pages() {
 
 // The field shows fewer digits than are stored: the exact value stays unless the text is changed.
 void apply_text(FrameContext& f, const Option& o, const std::string& text) {
-  if (text == value_text(o, f.settings)) return;
-  Json value = o.kind == Kind::text ? Json() : Json::parse(text, nullptr, false);
-  if (o.kind == Kind::text || value.is_discarded()) value = text;
-  edit_option(f, o, value);
+  if (text != value_text(o, f.settings)) edit_option_as_typed(f, o, text);
 }
 
 void draw_field(FrameContext& f, const Option& o, const Box& box, float px) {

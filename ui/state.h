@@ -103,7 +103,8 @@ struct FrameContext {
 // ---- the one way to change something: keys and widgets alike get a caption and an Error becomes a notice ------
 void say(FrameContext&, Sentence);
 void edit(FrameContext&, const std::function<void(Settings&)>& change);
-void edit_option(FrameContext&, const Option&, const Json& value);
+void edit_option(FrameContext&, const Option&, const OptionValue&);
+void edit_option_as_typed(FrameContext&, const Option&, const std::string&);
 void step_option(FrameContext&, const Option&, int step);  // choices cycle, whole numbers double and halve
 void choose_preset(FrameContext&, int index);
 void show_view(FrameContext&, View);  // alone; again: all views

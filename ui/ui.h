@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/json.h"
 #include "renderer/frame/frame_report.h"
 #include "renderer/inspect/views.h"
 #include "renderer/lessons/lessons.h"

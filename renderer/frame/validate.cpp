@@ -1,5 +1,6 @@
 #include "renderer/frame/validate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -12,11 +13,10 @@
 namespace gbl {
 namespace {
 
-bool finite(const Json& v) {
-  if (v.is_number()) return std::isfinite(v.get<double>());
-  for (const Json& part : v)
-    if (part.is_number() && !std::isfinite(part.get<double>())) return false;
-  return true;
+bool finite(const OptionValue& v) {
+  if (const auto* n = std::get_if<Number>(&v)) return std::isfinite(n->value);
+  const auto* list = std::get_if<OptionList>(&v);
+  return !list || std::all_of(list->begin(), list->end(), finite);
 }
 
 void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Problem>& out) {

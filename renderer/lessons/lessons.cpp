@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 #include "renderer/base/resources.h"
 #include "renderer/inspect/views.h"
 #include "renderer/options/data_file.h"
 #include "renderer/options/presets.h"
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {
@@ -29,7 +31,7 @@ LessonStep parse_step(const Json& node, std::string_view where) {
   only_members(node, {"say", "set", "view", "layout", "question", "answer"}, where);
   LessonStep step;
   step.say = needed_text_member(node, "say", where);
-  step.set = node.contains("set") ? node["set"] : Json::object();
+  if (node.contains("set")) step.set = read_patch(node["set"], where);
   step.view = text_member(node, "view", where);
   if (!step.view.empty()) look_up(where, [&] { view_by_id(step.view); });
   step.large = large_layout(node, where);

@@ -8,17 +8,17 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/options/settings_json.h"
+#include "renderer/options/options.h"
 
 namespace gbl {
 
 struct LessonStep {
-  std::string say;       // one or two sentences, shown large
-  Json set;              // patch by dotted path; may be empty
-  std::string view;      // view id shown large or marked; empty = as before
-  bool large = false;    // the view alone, else the mosaic
-  std::string question;  // may be empty
-  std::string answer;    // revealed by Enter
+  std::string say;              // one or two sentences, shown large
+  std::vector<Assignment> set;  // may be empty
+  std::string view;             // view id shown large or marked; empty = as before
+  bool large = false;           // the view alone, else the mosaic
+  std::string question;         // may be empty
+  std::string answer;           // revealed by Enter
 };
 
 struct Lesson {

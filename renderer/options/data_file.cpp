@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/base/json.h"
 #include "renderer/base/resources.h"
 
 namespace gbl {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/base/error.h"
-#include "renderer/options/settings_json.h"
+#include "renderer/base/json_fwd.h"
 
 namespace gbl {
 

@@ -13,56 +13,52 @@ enum class View;  // its rows stand above this room, in renderer/inspect/views.c
 
 namespace {
 
-[[noreturn]] void bad_value(const Option& o, const Json& v, std::string_view expected) {
-  // A strict dump throws at bytes that are not UTF-8.
-  const std::string given = v.dump(-1, ' ', false, Json::error_handler_t::replace);
-  throw Error(ExitCode::bad_input, o.path, fmt::format("{} is not {}", given, expected));
+[[noreturn]] void bad_value(const Option& o, const OptionValue& v, std::string_view expected) {
+  throw Error(ExitCode::bad_input, o.path, fmt::format("{} is not {}", written(v), expected));
 }
 
-double checked_number(const Option& o, const Json& v) {
-  if (!v.is_number() || !std::isfinite(v.get<double>())) bad_value(o, v, "a finite number");
-  const double x = v.get<double>();
+double checked_number(const Option& o, const OptionValue& v) {
+  const auto* n = std::get_if<Number>(&v);
+  if (!n || !std::isfinite(n->value)) bad_value(o, v, "a finite number");
+  const double x = n->value;
   if (x < o.min || x > o.max)
     bad_value(o, v, fmt::format("in {:g} ... {:g}{}{}", o.min, o.max, *o.unit ? " " : "", o.unit));
   return x;
 }
 
-double checked_whole(const Option& o, const Json& v) {
+double checked_whole(const Option& o, const OptionValue& v) {
   const double x = checked_number(o, v);
   if (x != std::floor(x)) bad_value(o, v, "a whole number");
   return x;
 }
 
-int checked_integer(const Option& o, const Json& v) { return static_cast<int>(checked_whole(o, v)); }
+int checked_integer(const Option& o, const OptionValue& v) { return static_cast<int>(checked_whole(o, v)); }
 
-template <size_t N>
-std::array<double, N> checked_vector(const Option& o, const Json& v) {
-  std::array<double, N> out{};
-  if (!v.is_array() || v.size() != N) bad_value(o, v, fmt::format("an array of {} numbers", N));
-  for (size_t i = 0; i < N; ++i) out[i] = checked_number(o, v[i]);
-  return out;
+const OptionList& checked_list(const Option& o, const OptionValue& v, size_t size) {
+  const auto* list = std::get_if<OptionList>(&v);
+  if (!list || list->size() != size) bad_value(o, v, fmt::format("an array of {} numbers", size));
+  return *list;
 }
 
-std::string checked_text(const Option& o, const Json& v) {
-  if (!v.is_string()) bad_value(o, v, "a text in quotes");
-  try {
-    static_cast<void>(v.dump());
-  } catch (const Json::type_error&) {
-    bad_value(o, v, "UTF-8");  // no settings file could hold it
-  }
-  return v.get<std::string>();
+const std::string& checked_text(const Option& o, const OptionValue& v) {
+  const auto* text = std::get_if<std::string>(&v);
+  if (!text) bad_value(o, v, "a text in quotes");
+  if (!writable(*text)) bad_value(o, v, "UTF-8");  // no settings file could hold it
+  return *text;
 }
 
 template <class E>
-E checked_choice(const Option& o, const Json& v) {
+E checked_choice(const Option& o, const OptionValue& v) {
+  if (const auto* id = std::get_if<std::string>(&v)) return static_cast<E>(parse_id(o.values, *id, o.path));
   // `lights.volume.level=2` arrives as a number: ids that are digits are ids all the same.
-  if (!v.is_string() && !v.is_number_integer()) bad_value(o, v, "the id of a value");
-  return static_cast<E>(parse_id(o.values, v.is_string() ? v.get<std::string>() : v.dump(), o.path));
+  const auto* n = std::get_if<Number>(&v);
+  if (!n || !n->whole) bad_value(o, v, "the id of a value");
+  return static_cast<E>(parse_id(o.values, written(v), o.path));
 }
 
 // Accessors: one for reading, one for writing, from the same member expression.
-#define GET(expr) [](const Settings& s) -> Json { return expr; }
-#define SET(...) [](Settings& s, const Json& v, const Option& o) { __VA_ARGS__; }
+#define GET(expr) [](const Settings& s) -> OptionValue { return expr; }
+#define SET(...) [](Settings& s, const OptionValue& v, const Option& o) { __VA_ARGS__; }
 #define CHOICE(E, member)                                                  \
   .kind = Kind::choice, .values = rows<E>(), .get = GET(row(s.member).id), \
   .set = SET(s.member = checked_choice<E>(o, v))
@@ -72,63 +68,72 @@ E checked_choice(const Option& o, const Json& v) {
   .kind = Kind::integer, .min = lo, .max = hi, .get = GET(s.member), .set = SET(s.member = checked_integer(o, v))
 #define TEXT(member) .kind = Kind::text, .get = GET(s.member), .set = SET(s.member = checked_text(o, v))
 
-Json vec3_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-glm::dvec3 checked_vec3(const Option& o, const Json& v) {
-  const auto a = checked_vector<3>(o, v);
-  return {a[0], a[1], a[2]};
+OptionList vec3_list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+glm::dvec3 checked_vec3(const Option& o, const OptionValue& v) {
+  const OptionList& list = checked_list(o, v, 3);
+  return {checked_number(o, list[0]), checked_number(o, list[1]), checked_number(o, list[2])};
 }
 
-glm::ivec2 checked_size(const Option& o, const Json& v) {
-  if (!v.is_array() || v.size() != 2) bad_value(o, v, "an array of 2 numbers");
-  return {checked_integer(o, v[0]), checked_integer(o, v[1])};
+glm::ivec2 checked_size(const Option& o, const OptionValue& v) {
+  const OptionList& list = checked_list(o, v, 2);
+  return {checked_integer(o, list[0]), checked_integer(o, list[1])};
 }
 
-glm::dquat checked_quaternion(const Option& o, const Json& v) {
-  const auto a = checked_vector<4>(o, v);
-  const glm::dquat q(a[3], a[0], a[1], a[2]);
+OptionList quaternion_list(const glm::dquat& q) { return {q.x, q.y, q.z, q.w}; }
+glm::dquat checked_quaternion(const Option& o, const OptionValue& v) {
+  const OptionList& list = checked_list(o, v, 4);
+  std::array<double, 4> xyzw{};
+  for (size_t i = 0; i < xyzw.size(); ++i) xyzw[i] = checked_number(o, list[i]);
+  const glm::dquat q(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
   const double length = glm::length(q);
   if (!(length > 1e-6)) bad_value(o, v, "a rotation (its length is 0)");
   // A unit quaternion is kept to the bit, so that a state read back equals the state written.
   return std::abs(length - 1) < 1e-12 ? q : q / length;
 }
 
-Json exponent_json(const Settings& s) {
-  return s.shading.exponent == kExponentFromRoughness ? Json("from-roughness") : Json(s.shading.exponent);
+OptionValue exponent_value(const Settings& s) {
+  if (s.shading.exponent == kExponentFromRoughness) return "from-roughness";
+  return s.shading.exponent;
 }
-double checked_exponent(const Option& o, const Json& v) {
-  if (!v.is_string()) return checked_number(o, v);
-  if (v != "from-roughness") bad_value(o, v, "a number or \"from-roughness\"");
+double checked_exponent(const Option& o, const OptionValue& v) {
+  const auto* text = std::get_if<std::string>(&v);
+  if (!text) return checked_number(o, v);
+  if (*text != "from-roughness") bad_value(o, v, "a number or \"from-roughness\"");
   return kExponentFromRoughness;
 }
 
-std::string checked_view(const Option& o, const Json& v) {
+std::string checked_view(const Option& o, const OptionValue& v) {
   const std::span<const ValueRow> views = rows<View>();
   return views[static_cast<size_t>(parse_id(views, checked_text(o, v), "view", "view"))].id;
 }
 
-std::set<Mistake> checked_mistakes(const Option& o, const Json& v) {
-  if (!v.is_array()) bad_value(o, v, "an array of ids");
+std::set<Mistake> checked_mistakes(const Option& o, const OptionValue& v) {
+  const auto* list = std::get_if<OptionList>(&v);
+  if (!list) bad_value(o, v, "an array of ids");
   std::set<Mistake> chosen_ones;
-  for (const Json& id : v) {
-    if (!id.is_string()) bad_value(o, v, "an array of ids");
-    chosen_ones.insert(mistake_by_id(id.get<std::string>()));
+  for (const OptionValue& part : *list) {
+    const auto* id = std::get_if<std::string>(&part);
+    if (!id) bad_value(o, v, "an array of ids");
+    chosen_ones.insert(mistake_by_id(*id));
   }
   return chosen_ones;
 }
+
+OptionList list_of(const std::vector<std::string>& ids) { return OptionList(ids.begin(), ids.end()); }
 
 constexpr double kFar = 1e9;  // world units; a bound for numbers that only have to be sane
 
 // clang-format off
 const Option kOptions[] = {
   {.path = "scene", .group = Group::truth, .label = "Scene", .help = "builtin:NAME, or a model's file", TEXT(scene)},
-  {.path = "camera.position", .group = Group::truth, .label = "Camera position", .help = "world units", .unit = "units", .kind = Kind::vector, .min = -kFar, .max = kFar, .get = GET(vec3_json(s.camera.position)), .set = SET(s.camera.position = checked_vec3(o, v))},
-  {.path = "camera.orientation", .group = Group::truth, .label = "Camera orientation", .help = "quaternion x, y, z, w: world from view", .kind = Kind::vector, .min = -kFar, .max = kFar, .get = GET(Json::array({s.camera.orientation.x, s.camera.orientation.y, s.camera.orientation.z, s.camera.orientation.w})), .set = SET(s.camera.orientation = checked_quaternion(o, v))},
+  {.path = "camera.position", .group = Group::truth, .label = "Camera position", .help = "world units", .unit = "units", .kind = Kind::vector, .min = -kFar, .max = kFar, .get = GET(vec3_list(s.camera.position)), .set = SET(s.camera.position = checked_vec3(o, v))},
+  {.path = "camera.orientation", .group = Group::truth, .label = "Camera orientation", .help = "quaternion x, y, z, w: world from view", .kind = Kind::vector, .min = -kFar, .max = kFar, .get = GET(quaternion_list(s.camera.orientation)), .set = SET(s.camera.orientation = checked_quaternion(o, v))},
   {.path = "camera.fov", .group = Group::truth, .label = "Field of view", .help = "vertical", .unit = "degrees", NUMBER(camera.fov, 1, 170)},
   {.path = "camera.orthographic-height", .group = Group::truth, .label = "Orthographic height", .help = "0 = perspective", .unit = "units", NUMBER(camera.orthographic_height, 0, kFar)},
   {.path = "camera.near", .group = Group::truth, .label = "Near plane", .help = "distance along the view axis", .unit = "units", NUMBER(camera.near, 1e-6, kFar)},
   {.path = "camera.far", .group = Group::truth, .label = "Far plane", .help = "distance along the view axis", .unit = "units", NUMBER(camera.far, 1e-6, kFar)},
   {.path = "time_s", .group = Group::truth, .label = "Time", .help = "lights move as functions of it", .unit = "s", NUMBER(time_s, 0, kFar)},
-  {.path = "size", .group = Group::truth, .label = "Size", .help = "width and height of the frame", .unit = "pixels", .kind = Kind::vector, .min = 1, .max = 16384, .get = GET(Json::array({s.size.x, s.size.y})), .set = SET(s.size = checked_size(o, v))},
+  {.path = "size", .group = Group::truth, .label = "Size", .help = "width and height of the frame", .unit = "pixels", .kind = Kind::vector, .min = 1, .max = 16384, .get = GET((OptionList{s.size.x, s.size.y})), .set = SET(s.size = checked_size(o, v))},
   {.path = "lights.source", .group = Group::truth, .label = "Lights from", .help = "where the lights come from", CHOICE(LightSource, lights.source)},
   {.path = "lights.rig", .group = Group::truth, .label = "Lighting rig", .help = "a rig's file; needs a light source that reads it", TEXT(lights.rig)},
   {.path = "lights.count", .group = Group::truth, .label = "Lights", .help = "how many lights are generated", .key = "[ ]", INTEGER(lights.count, 0, kMaxLights)},
@@ -142,11 +147,11 @@ const Option kOptions[] = {
   {.path = "range.kind", .group = Group::truth, .label = "Range", .help = "where a light ends", .key = "R", CHOICE(RangeKind, range.kind)},
   {.path = "range.threshold", .group = Group::truth, .label = "Range threshold", .help = "where range.kind=threshold ends a light", NUMBER(range.threshold, 1e-6, 1)},
   {.path = "shading.model", .group = Group::truth, .label = "Shading", .help = "the surface's reflection", .key = "K", CHOICE(ShadingModel, shading.model)},
-  {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_json, .set = SET(s.shading.exponent = checked_exponent(o, v))},
+  {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_value, .set = SET(s.shading.exponent = checked_exponent(o, v))},
   {.path = "shading.specular", .group = Group::truth, .label = "Specular", .help = "factor of the highlight", NUMBER(shading.specular, 0, 100)},
   {.path = "ambient", .group = Group::truth, .label = "Ambient", .help = "light from everywhere, times the albedo", NUMBER(ambient, 0, 100)},
   {.path = "background.fill", .group = Group::truth, .label = "Background", .help = "what is seen where no surface is", CHOICE(BackgroundFill, background.fill)},
-  {.path = "background.colour", .group = Group::truth, .label = "Background colour", .help = "linear, for background.fill=colour", .kind = Kind::vector, .min = 0, .max = 1e4, .get = GET(vec3_json(s.background.colour)), .set = SET(s.background.colour = checked_vec3(o, v))},
+  {.path = "background.colour", .group = Group::truth, .label = "Background colour", .help = "linear, for background.fill=colour", .kind = Kind::vector, .min = 0, .max = 1e4, .get = GET(vec3_list(s.background.colour)), .set = SET(s.background.colour = checked_vec3(o, v))},
   {.path = "normal-map", .group = Group::truth, .label = "Normal maps", .help = "bend the shading normal by the material's map", CHOICE(NormalMap, normal_map)},
   {.path = "albedo", .group = Group::truth, .label = "Albedo", .help = "the surface's own colour, or white", CHOICE(AlbedoSource, albedo)},
   {.path = "exposure", .group = Group::truth, .label = "Exposure", .help = "factor before the display transform", NUMBER(exposure, 1e-6, 1e6)},
@@ -169,7 +174,7 @@ const Option kOptions[] = {
   {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents)},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},
-  {.path = "mistakes", .group = Group::method, .label = "Mistakes", .help = "deliberate errors, by id", .kind = Kind::set, .get = GET(Json(ids_of(s.mistakes))), .set = SET(s.mistakes = checked_mistakes(o, v))},
+  {.path = "mistakes", .group = Group::method, .label = "Mistakes", .help = "deliberate errors, by id", .kind = Kind::set, .get = GET(list_of(ids_of(s.mistakes))), .set = SET(s.mistakes = checked_mistakes(o, v))},
   {.path = "view.main", .group = Group::view, .label = "Main view", .help = "the view shown large, by id", .kind = Kind::text, .get = GET(s.view.main), .set = SET(s.view.main = checked_view(o, v))},
   {.path = "view.volumes", .group = Group::view, .label = "Light volumes", .help = "wires over the main view", .key = "V", CHOICE(VolumeOverlay, view.volumes)},
   {.path = "view.pick", .group = Group::view, .label = "Picked light", .help = "index of the light that wires, I and captions speak of", INTEGER(view.pick, 0, kMaxLights - 1)},
@@ -199,7 +204,20 @@ const Option& option(std::string_view path) {
   throw Error(ExitCode::bad_input, path, "unknown option", suggest(path, known));
 }
 
-int chosen(const Option& o, const Settings& s) { return parse_id(o.values, o.get(s).get<std::string>(), o.path); }
+void apply_patch(Settings& s, const std::vector<Assignment>& patch, std::string_view where) {
+  Settings changed = s;
+  try {
+    for (const Assignment& a : patch) {
+      const Option& o = option(a.path);
+      o.set(changed, a.value, o);
+    }
+  } catch (const Error& e) {
+    throw Error(e.code(), where, e.what());
+  }
+  s = std::move(changed);
+}
+
+int chosen(const Option& o, const Settings& s) { return parse_id(o.values, std::get<std::string>(o.get(s)), o.path); }
 
 void cycle(const Option& o, Settings& s, int step, FeatureSet available) {
   const int n = static_cast<int>(o.values.size());

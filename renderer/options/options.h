@@ -1,17 +1,15 @@
 #pragma once
 // The options table: everything that can be set, one row each. JSON, --set, the UI's combos, keys, docs and tests
 // follow from it. A path is a promise; no path is the beginning of another at a dot.
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "renderer/options/option_value.h"
 #include "renderer/options/settings.h"
 
 namespace gbl {
-
-using Json = nlohmann::ordered_json;  // keeps the tables' order in files
 
 enum class Group { truth, method, view };
 enum class Kind { choice, integer, number, text, vector, set };
@@ -26,12 +24,20 @@ struct Option {
   Kind kind;
   std::span<const ValueRow> values = {};  // of a choice
   double min = 0, max = 0;                // of integer, number and each member of a vector; both ends allowed
-  Json (*get)(const Settings&) = nullptr;
-  void (*set)(Settings&, const Json&, const Option&) = nullptr;  // throws Error naming the path
+  OptionValue (*get)(const Settings&) = nullptr;
+  void (*set)(Settings&, const OptionValue&, const Option&) = nullptr;  // throws Error naming the path
 };
 
 std::span<const Option> options();
 const Option& option(std::string_view path);  // Error with the nearest paths if unknown
+
+// Values by path, as lessons, studies and arguments give them.
+struct Assignment {
+  std::string path;
+  OptionValue value;
+};
+// All or nothing: Error(bad_input) begins with `where`.
+void apply_patch(Settings&, const std::vector<Assignment>&, std::string_view where);
 
 // Index of a choice's current row.
 int chosen(const Option&, const Settings&);

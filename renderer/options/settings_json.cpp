@@ -1,11 +1,14 @@
 #include "renderer/options/settings_json.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 
 namespace gbl {
 namespace {
@@ -28,20 +31,28 @@ bool is_group(const std::string& path) {
   return false;
 }
 
-void apply_tree(Settings& s, const Json& tree, const std::string& group, std::string_view where) {
+void flatten(const Json& tree, const std::string& group, std::vector<Assignment>& patch) {
   for (const auto& [key, node] : tree.items()) {
     const std::string path = group.empty() ? key : group + "." + key;
-    if (node.is_object() && is_group(path)) {
-      apply_tree(s, node, path, where);
-      continue;
-    }
-    try {
-      const Option& o = option(path);
-      o.set(s, node, o);
-    } catch (const Error& e) {
-      throw Error(e.code(), where, e.what());
-    }
+    if (node.is_object() && is_group(path))
+      flatten(node, path, patch);
+    else
+      patch.push_back({path, option_value(node)});
   }
+}
+
+std::string as_written(const Json& json) {
+  // A strict dump throws at bytes that are not UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// A double has no more digits than this; a longer number is no whole one to any option.
+constexpr double kLargestWhole = 1LL << 53;
+
+Number number_of(const Json& json) {
+  Number n = json.get<double>();
+  n.whole = json.is_number_integer() && std::abs(n.value) <= kLargestWhole;
+  return n;
 }
 
 // Far deeper than any settings or lesson: what walks a JSON tree recurses and must not run out of stack.
@@ -72,32 +83,83 @@ Json migrated(Json json, std::string_view where) {
 
 }  // namespace
 
+OptionValue option_value(const Json& json) {
+  if (json.is_number()) return number_of(json);
+  if (json.is_string()) return json.get<std::string>();
+  if (!json.is_array()) return Unfit{as_written(json)};
+  OptionList list;
+  for (const Json& part : json) list.push_back(option_value(part));
+  return list;
+}
+
+Json to_json(const OptionValue& value) {
+  assert(!std::holds_alternative<Unfit>(value));
+  if (const auto* n = std::get_if<Number>(&value)) return n->whole ? Json(std::llround(n->value)) : Json(n->value);
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  Json array = Json::array();
+  for (const OptionValue& part : std::get<OptionList>(value)) array.push_back(to_json(part));
+  return array;
+}
+
+std::string written(const OptionValue& value) {
+  if (const auto* unfit = std::get_if<Unfit>(&value)) return unfit->written;
+  const auto* list = std::get_if<OptionList>(&value);
+  if (!list) return as_written(to_json(value));
+  std::string parts;
+  for (const OptionValue& part : *list) parts += (parts.empty() ? "" : ",") + written(part);
+  return fmt::format("[{}]", parts);
+}
+
+bool writable(const std::string& text) {
+  try {
+    static_cast<void>(Json(text).dump());
+  } catch (const Json::type_error&) {
+    return false;
+  }
+  return true;
+}
+
 Json to_json(const Settings& s) {
   Json json;
   json["version"] = kSettingsVersion;
-  for (const Option& o : options()) at_path(json, o.path) = o.get(s);
+  for (const Option& o : options()) at_path(json, o.path) = to_json(o.get(s));
   return json;
 }
 
 Settings from_json(const Json& json, std::string_view where, Settings base) {
-  apply_tree(base, migrated(json, where), "", where);
+  apply_patch(base, read_patch(migrated(json, where), where), where);
   return base;
 }
 
-void apply_patch(Settings& s, const Json& patch, std::string_view where) {
-  if (!patch.is_object()) throw Error(ExitCode::bad_input, where, "a patch must be a JSON object");
-  Settings changed = s;  // all or nothing
-  apply_tree(changed, patch, "", where);
-  s = changed;
+std::string settings_text(const Settings& s) { return to_json(s).dump(2); }
+
+Settings parse_settings(std::string_view text, std::string_view where) {
+  return from_json(parse_json(text, where), where);
+}
+
+Settings read_settings(const std::filesystem::path& path) { return from_json(read_json(path), path.string()); }
+
+std::vector<Assignment> read_patch(const Json& json, std::string_view where) {
+  if (!json.is_object()) throw Error(ExitCode::bad_input, where, "a patch must be a JSON object");
+  std::vector<Assignment> patch;
+  flatten(json, "", patch);
+  return patch;
+}
+
+std::vector<Assignment> parse_patch(std::string_view text, std::string_view where) {
+  return read_patch(parse_json(text, where), where);
+}
+
+OptionValue parse_value(std::string_view text, std::string_view where) {
+  const Json json = Json::parse(text, no_deeper(where), false);
+  return json.is_discarded() ? OptionValue(std::string(text)) : option_value(json);
 }
 
 void apply_assignment(Settings& s, std::string_view assignment) {
   const size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
     throw Error(ExitCode::bad_input, "--set", fmt::format("'{}' has no '='", assignment), "write path=value");
-  const std::string text(assignment.substr(equals + 1));
-  Json value = Json::parse(text, no_deeper("--set"), false);
-  if (value.is_discarded()) value = text;
+  const OptionValue value = parse_value(assignment.substr(equals + 1), "--set");
   const Option& o = option(assignment.substr(0, equals));
   o.set(s, value, o);
 }

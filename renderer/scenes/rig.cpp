@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 
 namespace gbl {

@@ -96,7 +96,7 @@ void apply_scene(Settings& s, std::string_view name, const Scene& scene) {
     s.ambient = std::min(0.2 / scene.exposure, 100.0);
     s.background.colour = glm::dvec3(std::min(0.03 / scene.exposure, 1e4));
   }
-  apply_patch(s, parse_json(look_of(name), name), name);
+  apply_patch(s, parse_patch(look_of(name), name), name);
 }
 
 }  // namespace gbl

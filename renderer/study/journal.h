@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/base/json.h"
 #include "renderer/options/options.h"
 
 namespace gbl {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 
 namespace gbl {
@@ -40,7 +41,7 @@ Json head(const std::string& study, const StudyCase& c) {
   row["case"] = c.id;
   row["key"] = row_key(c.settings);
   row["at"] = Json::object();
-  for (const Coordinate& at : c.at) row["at"][at.path] = at.value;
+  for (const Coordinate& at : c.at) row["at"][at.path] = to_json(at.value);
   return row;
 }
 

@@ -11,7 +11,7 @@ namespace {
 std::vector<Coordinate> coordinates(const std::vector<PathValues>& product, size_t n) {
   std::vector<Coordinate> at(product.size());
   for (size_t i = product.size(); i-- > 0;) {
-    const std::vector<Json>& values = product[i].values;
+    const std::vector<OptionValue>& values = product[i].values;
     at[i] = {product[i].path, values[n % values.size()]};
     n /= values.size();
   }
@@ -43,9 +43,9 @@ std::string id_of(const std::vector<Coordinate>& at) {
 
 bool matches(const std::vector<PathValues>& rule, const std::vector<Coordinate>& all, const Settings& s) {
   for (const PathValues& member : rule) {
-    const Json value = value_at(member.path, all, s);
+    const std::optional<OptionValue> value = value_at(member.path, all, s);
     bool one = false;
-    for (const Json& v : member.values) one |= v == value;
+    for (const OptionValue& v : member.values) one |= v == value;
     if (!one) return false;
   }
   return true;
@@ -55,7 +55,7 @@ bool matches(const std::vector<PathValues>& rule, const std::vector<Coordinate>&
 std::string drawn_as(const Settings& s) {
   std::string text;
   for (const Option& o : options())
-    if (o.group != Group::view && in_use(o, s)) text += fmt::format("{}={};", o.path, o.get(s).dump());
+    if (o.group != Group::view && in_use(o, s)) text += fmt::format("{}={};", o.path, written(o.get(s)));
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
@@ -119,7 +120,7 @@ std::string study_csv(const std::vector<Json>& rows, const Machine& machine) {
 Json study_json(const StudySpec& spec, const std::vector<Json>& rows, const Machine& machine) {
   Json json;
   json["version"] = kStudyFileVersion;
-  json["spec"] = spec.json;
+  json["spec"] = *spec.json;
   json["machine"] = {{"driver", machine.driver}, {"device", machine.device}};
   json["rows"] = rows;
   return json;

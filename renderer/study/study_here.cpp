@@ -61,7 +61,8 @@ StudySpec study_here(const StudySpec& spec, const Settings& now, glm::ivec2 size
   const std::vector<std::string> varied = varied_truth(spec);
   for (const Option& o : options()) {
     if (o.group != Group::truth || contains(varied, o.path)) continue;
-    const Json value = std::string_view(o.path) == "size" ? Json(size_text(size)) : o.get(now);
+    const bool is_size = std::string_view(o.path) == "size";
+    const OptionValue value = is_size ? OptionValue(size_text(size)) : o.get(now);
     here.base.push_back({o.path, checked_value(o.path, value)});
   }
   return here;

@@ -16,79 +16,81 @@ namespace {
 constexpr glm::ivec2 kDefaultSize{640, 360};
 constexpr int kMostCameras = 1'000'000;
 
-[[noreturn]] void bad_value(std::string_view path, const Json& v, std::string_view expected) {
-  const std::string given = v.dump(-1, ' ', false, Json::error_handler_t::replace);
-  throw Error(ExitCode::bad_input, path, fmt::format("{} is not {}", given, expected));
+[[noreturn]] void bad_value(std::string_view path, const OptionValue& v, std::string_view expected) {
+  throw Error(ExitCode::bad_input, path, fmt::format("{} is not {}", written(v), expected));
 }
 
 // As the option itself understands it.
-Json checked_option(const Option& o, const Json& v) {
+OptionValue checked_option(const Option& o, const OptionValue& v) {
   Settings scratch;
   o.set(scratch, v, o);
   return o.get(scratch);
 }
 
-void set(Settings& s, std::string_view path, const Json& v) {
+void set(Settings& s, std::string_view path, const OptionValue& v) {
   const Option& o = option(path);
   o.set(s, v, o);
 }
 
-Json checked_preset(const Json& v) {
+OptionValue checked_preset(const OptionValue& v) {
   std::vector<std::string_view> known;
   for (const Preset& p : presets()) known.emplace_back(p.id);
-  if (!v.is_string()) bad_value("preset", v, "the id of a preset");
-  const auto id = v.get<std::string>();
-  if (std::find(known.begin(), known.end(), id) == known.end())
-    throw Error(ExitCode::bad_input, "preset", fmt::format("unknown preset '{}'", id), suggest(id, known));
+  const auto* id = std::get_if<std::string>(&v);
+  if (!id) bad_value("preset", v, "the id of a preset");
+  if (std::find(known.begin(), known.end(), *id) == known.end())
+    throw Error(ExitCode::bad_input, "preset", fmt::format("unknown preset '{}'", *id), suggest(*id, known));
   return v;
 }
-void apply_preset(Settings& s, const Json& v, SceneCache&) { s = preset(v.get<std::string>()).make(); }
+void apply_preset(Settings& s, const OptionValue& v, SceneCache&) { s = preset(std::get<std::string>(v)).make(); }
 
-Json checked_scene(const Json& v) { return checked_option(option("scene"), v); }
-void apply_scene_by_name(Settings& s, const Json& v, SceneCache& scenes) {
-  const auto name = v.get<std::string>();
+OptionValue checked_scene(const OptionValue& v) { return checked_option(option("scene"), v); }
+void apply_scene_by_name(Settings& s, const OptionValue& v, SceneCache& scenes) {
+  const auto& name = std::get<std::string>(v);
   apply_scene(s, name, scenes.get(name));
 }
 
-Json checked_lights(const Json& v) {
+OptionValue checked_lights(const OptionValue& v) {
   checked_option(option("lights.count"), v);
   return v;
 }
-void apply_lights(Settings& s, const Json& v, SceneCache&) {
+void apply_lights(Settings& s, const OptionValue& v, SceneCache&) {
   set(s, "lights.count", v);
   s.lights.source = LightSource::generated;
 }
 
-Json checked_seed(const Json& v) {
-  if (!v.is_number_integer() || v < 0 || v > kMostCameras)
+OptionValue checked_seed(const OptionValue& v) {
+  const auto* k = std::get_if<Number>(&v);
+  if (!k || !k->whole || k->value < 0 || k->value > kMostCameras)
     bad_value("camera.seed", v, fmt::format("a whole number in 0 ... {}", kMostCameras));
   return v;
 }
-void apply_seed(Settings& s, const Json& v, SceneCache& scenes) {
-  if (v > 0) s.camera = seeded_camera(scenes.get(s.scene), s.camera, v.get<int>());
+void apply_seed(Settings& s, const OptionValue& v, SceneCache& scenes) {
+  const int k = static_cast<int>(std::get<Number>(v).value);
+  if (k > 0) s.camera = seeded_camera(scenes.get(s.scene), s.camera, k);
 }
 
 // "640x360" or [640, 360] -> [640, 360].
-Json size_array(const Json& v) {
-  if (!v.is_string()) return checked_option(option("size"), v);
-  const std::optional<glm::ivec2> size = size_of(v.get<std::string>());
+OptionValue size_array(const OptionValue& v) {
+  const auto* text = std::get_if<std::string>(&v);
+  if (!text) return checked_option(option("size"), v);
+  const std::optional<glm::ivec2> size = size_of(*text);
   if (!size) bad_value("size", v, "a size such as \"640x360\"");
-  return checked_option(option("size"), {size->x, size->y});
+  return checked_option(option("size"), OptionList{size->x, size->y});
 }
-Json checked_size(const Json& v) {
+OptionValue checked_size(const OptionValue& v) {
   Settings scratch;
   set(scratch, "size", size_array(v));
   return size_text(scratch.size);
 }
-void apply_size(Settings& s, const Json& v, SceneCache&) { set(s, "size", size_array(v)); }
+void apply_size(Settings& s, const OptionValue& v, SceneCache&) { set(s, "size", size_array(v)); }
 
 // clang-format off
 constexpr StudyPath kPaths[] = {
-    {"preset", "whole settings by id", checked_preset, apply_preset, [](const Settings&) { return Json(nullptr); }},
-    {"scene", "with its camera, lights and look", checked_scene, apply_scene_by_name, [](const Settings& s) { return Json(s.scene); }},
-    {"lights", "how many are generated", checked_lights, apply_lights, [](const Settings& s) { return Json(s.lights.count); }},
-    {"camera.seed", "0: as set; k: the k-th seeded camera", checked_seed, apply_seed, [](const Settings&) { return Json(0); }},
-    {"size", "\"WIDTHxHEIGHT\" or [WIDTH, HEIGHT]", checked_size, apply_size, [](const Settings& s) { return Json(size_text(s.size)); }},
+    {"preset", "whole settings by id", checked_preset, apply_preset, [](const Settings&) { return std::optional<OptionValue>(); }},
+    {"scene", "with its camera, lights and look", checked_scene, apply_scene_by_name, [](const Settings& s) { return std::optional<OptionValue>(s.scene); }},
+    {"lights", "how many are generated", checked_lights, apply_lights, [](const Settings& s) { return std::optional<OptionValue>(s.lights.count); }},
+    {"camera.seed", "0: as set; k: the k-th seeded camera", checked_seed, apply_seed, [](const Settings&) { return std::optional<OptionValue>(0); }},
+    {"size", "\"WIDTHxHEIGHT\" or [WIDTH, HEIGHT]", checked_size, apply_size, [](const Settings& s) { return std::optional<OptionValue>(size_text(s.size)); }},
 };
 // clang-format on
 
@@ -111,7 +113,7 @@ const Option& study_option(std::string_view path) {
   throw Error(ExitCode::bad_input, path, "unknown path", suggest(path, known));
 }
 
-const Json* find(const std::vector<Coordinate>& list, std::string_view path) {
+const OptionValue* find(const std::vector<Coordinate>& list, std::string_view path) {
   for (const Coordinate& c : list)
     if (c.path == path) return &c.value;
   return nullptr;
@@ -131,7 +133,7 @@ void check_path(std::string_view path) {
   if (!special(path)) study_option(path);
 }
 
-Json checked_value(std::string_view path, const Json& value) {
+OptionValue checked_value(std::string_view path, const OptionValue& value) {
   if (const StudyPath* p = special(path)) return p->checked(value);
   return checked_option(study_option(path), value);
 }
@@ -141,7 +143,7 @@ Settings settings_of(const std::vector<Coordinate>& checked, SceneCache& scenes)
   if (!find(checked, "preset") && !find(checked, "scene")) apply_scene(s, s.scene, scenes.get(s.scene));
   for (const StudyPath& p : kPaths) {
     if (std::string_view(p.path) == "size") s.size = kDefaultSize;  // a preset's own would compare other pictures
-    if (const Json* value = find(checked, p.path)) p.apply(s, *value, scenes);
+    if (const OptionValue* value = find(checked, p.path)) p.apply(s, *value, scenes);
   }
   for (const Coordinate& c : checked)
     if (!special(c.path)) set(s, c.path, c.value);
@@ -149,19 +151,20 @@ Settings settings_of(const std::vector<Coordinate>& checked, SceneCache& scenes)
   return s;
 }
 
-Json value_at(std::string_view path, const std::vector<Coordinate>& list, const Settings& s) {
+std::optional<OptionValue> value_at(std::string_view path, const std::vector<Coordinate>& list, const Settings& s) {
   if (const StudyPath* p = special(path)) {
-    const Json* value = find(list, path);
+    const OptionValue* value = find(list, path);
     return value ? *value : p->of(s);
   }
   return study_option(path).get(s);
 }
 
 std::string text_of(const Coordinate& c) {
-  const Json& v = c.value;
+  const auto* n = std::get_if<Number>(&c.value);
+  const auto* id = std::get_if<std::string>(&c.value);
   // Options that are numbers keep doubles: 100 is not to be printed as 100.0.
-  const bool whole = v.is_number_float() && v == std::floor(v.get<double>()) && std::abs(v.get<double>()) < 1e15;
-  const std::string text = v.is_string() ? v.get<std::string>() : whole ? Json(v.get<long long>()).dump() : v.dump();
+  const bool whole = n && n->value == std::floor(n->value) && std::abs(n->value) < 1e15;
+  const std::string text = id ? *id : whole ? fmt::format("{}", std::llround(n->value)) : written(c.value);
   return fmt::format("{}={}", c.path, text);
 }
 

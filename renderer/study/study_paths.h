@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,10 +15,7 @@
 
 namespace gbl {
 
-struct Coordinate {
-  std::string path;
-  Json value;
-};
+using Coordinate = Assignment;  // a path and what is varied there, or shared by all cases
 
 using SceneFn = std::function<std::shared_ptr<const Scene>(const std::string& name)>;
 
@@ -36,23 +34,23 @@ class SceneCache {
 struct StudyPath {
   const char* path;
   const char* help;
-  Json (*checked)(const Json&);                        // in the one form that is compared and printed, or Error
-  void (*apply)(Settings&, const Json&, SceneCache&);  // a checked value
-  Json (*of)(const Settings&);                         // what these settings have; null: settings do not say
+  OptionValue (*checked)(const OptionValue&);                 // in the one form that is compared and printed, or Error
+  void (*apply)(Settings&, const OptionValue&, SceneCache&);  // a checked value
+  std::optional<OptionValue> (*of)(const Settings&);          // what these settings have; empty: they do not say
 };
 std::span<const StudyPath> study_paths();
 
 void check_path(std::string_view path);  // Error(bad_input) with the nearest paths if a study cannot set it
 
 // The value in the one form that is compared and printed; Error(bad_input) names the path and what it can be.
-Json checked_value(std::string_view path, const Json& value);
+OptionValue checked_value(std::string_view path, const OptionValue&);
 
 // All of them, whatever their order, in the order that study_paths() says. Neither a preset nor a scene: the default
 // scene with its camera. Without a size: 640 x 360. Views are the defaults.
 Settings settings_of(const std::vector<Coordinate>& checked, SceneCache&);
 
 // What the coordinates say of a path, or else the settings.
-Json value_at(std::string_view path, const std::vector<Coordinate>&, const Settings&);
+std::optional<OptionValue> value_at(std::string_view path, const std::vector<Coordinate>&, const Settings&);
 
 // "lights.method=volumes": texts without quotes.
 std::string text_of(const Coordinate&);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/json.h"
 #include "renderer/frame/frame_report.h"
 #include "renderer/options/options.h"
 #include "renderer/truth/measure.h"

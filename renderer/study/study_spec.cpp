@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 #include "renderer/base/resources.h"
 #include "renderer/options/data_file.h"
+#include "renderer/options/settings_json.h"
 #include "renderer/study/charts/chart.h"
 
 namespace gbl {
@@ -26,7 +28,7 @@ std::vector<Coordinate> parse_base(const Json& node, std::string_view where) {
   must_be_object(node, where);
   std::vector<Coordinate> base;
   for (const auto& [path, value] : node.items())
-    base.push_back({path, look_up(where, [&, &p = path, &v = value] { return checked_value(p, v); })});
+    base.push_back({path, look_up(where, [&, &p = path, &v = value] { return checked_value(p, option_value(v)); })});
   return base;
 }
 
@@ -35,7 +37,8 @@ PathValues parse_axis(const std::string& path, const Json& values, std::string_v
     throw Error(ExitCode::bad_input, where, fmt::format("{} has no values: the product is empty", path),
                 "give one, or leave the path out");
   PathValues axis{path, {}};
-  for (const Json& v : values) axis.values.push_back(look_up(where, [&] { return checked_value(path, v); }));
+  for (const Json& v : values)
+    axis.values.push_back(look_up(where, [&] { return checked_value(path, option_value(v)); }));
   return axis;
 }
 
@@ -114,7 +117,7 @@ StudySpec read_spec(const Json& json, std::string_view where) {
   only_members(json, {"version", "name", "label", "base", "permute", "skip", "x", "y", "family"}, where);
   StudySpec spec;
   spec.where = where;
-  spec.json = json;
+  spec.json = std::make_shared<const Json>(json);
   spec.name = needed_text_member(json, "name", where);
   spec.label = text_or(json, "label", where, spec.name.c_str());
   if (json.contains("base")) spec.base = parse_base(json["base"], spec.where + ": base");

@@ -7,6 +7,7 @@
 //    "x": "bytes_per_pixel", "y": "normal_deg_p99", "family": "normal.space"}
 // permute is a product, its last path the fastest; an array of such objects is their union, in order, and none is the
 // base alone. A case that matches all members of one entry of skip is left out. Paths: renderer/study/study_paths.h.
+#include "renderer/base/json_fwd.h"
 #include "renderer/frame/validate.h"
 #include "renderer/study/study_paths.h"
 
@@ -14,7 +15,7 @@ namespace gbl {
 
 struct PathValues {
   std::string path;
-  std::vector<Json> values;
+  std::vector<OptionValue> values;
 };
 
 struct StudySpec {
@@ -23,8 +24,8 @@ struct StudySpec {
   std::vector<Coordinate> base;
   std::vector<std::vector<PathValues>> permute;  // a union of products
   std::vector<std::vector<PathValues>> skip;
-  std::string x, y, family;  // of the chart, unless another is asked for
-  Json json;                 // as read
+  std::string x, y, family;          // of the chart, unless another is asked for
+  std::shared_ptr<const Json> json;  // as read
 };
 
 // Every path, value and column has been checked. Error(bad_input) names file, path, what is wrong and how to mend it.

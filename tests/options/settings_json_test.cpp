@@ -3,18 +3,21 @@
 #include <fstream>
 #include <limits>
 
+#include "renderer/base/json.h"
 #include "renderer/options/presets.h"
 #include "tests/test_support.h"
 
 namespace gbl {
 namespace {
 
+void patch(Settings& s, std::string_view json) { apply_patch(s, parse_patch(json, "here"), "here"); }
+
 // Refuses the patch, changes nothing, and gives the line.
-std::string refused(const Json& patch) {
+std::string refused(const Json& json) {
   const Settings before = preset("start").make();
   Settings s = before;
-  const std::string line = error_line(ExitCode::bad_input, [&] { apply_patch(s, patch, "here"); });
-  EXPECT_TRUE(s == before) << patch;
+  const std::string line = error_line(ExitCode::bad_input, [&] { apply_patch(s, read_patch(json, "here"), "here"); });
+  EXPECT_TRUE(s == before) << json;
   EXPECT_EQ(line.rfind("here: ", 0), 0u) << line;
   return line;
 }
@@ -27,17 +30,16 @@ std::string refused_file(const std::string& text) {
 
 TEST(Patch, DottedAndNestedFormsAreOne) {
   Settings dotted, nested, mixed;
-  apply_patch(dotted, parse_json(R"({"lights.volume.level": 3, "lights.cull": "none", "camera.fov": 60})", ""), "");
-  apply_patch(nested,
-              parse_json(R"({"lights": {"volume": {"level": "3"}, "cull": "none"}, "camera": {"fov": 60}})", ""), "");
-  apply_patch(mixed, parse_json(R"({"lights": {"volume.level": 3, "cull": "none"}, "camera.fov": 60})", ""), "");
+  patch(dotted, R"({"lights.volume.level": 3, "lights.cull": "none", "camera.fov": 60})");
+  patch(nested, R"({"lights": {"volume": {"level": "3"}, "cull": "none"}, "camera": {"fov": 60}})");
+  patch(mixed, R"({"lights": {"volume.level": 3, "cull": "none"}, "camera.fov": 60})");
   EXPECT_EQ(dotted.lights.volume.level, VolumeLevel::l3);
   EXPECT_EQ(dotted.lights.cull, LightCull::none);
   EXPECT_EQ(dotted.camera.fov, 60);
   EXPECT_TRUE(nested == dotted);
   EXPECT_TRUE(mixed == dotted);
-  apply_patch(mixed, Json::object(), "");
-  apply_patch(mixed, parse_json(R"({"lights": {}})", ""), "");
+  patch(mixed, "{}");
+  patch(mixed, R"({"lights": {}})");
   EXPECT_TRUE(mixed == dotted);
 }
 
@@ -57,7 +59,7 @@ TEST(Patch, UnknownNamesAreRefusedWithTheNearest) {
     refused(parse_json(text, ""));
   for (const char* text : {"[]", "3", "null", "\"lights.count\""}) {
     Settings s;
-    EXPECT_THROW(apply_patch(s, parse_json(text, ""), "here"), Error) << text;
+    EXPECT_THROW(patch(s, text), Error) << text;
   }
 }
 
@@ -71,7 +73,7 @@ TEST(Patch, EveryOptionRefusesEveryWrongType) {
     const bool whole = o.kind == Kind::choice || o.kind == Kind::integer;
     EXPECT_TRUE(!whole || contains(refused(o.path, 2.5), "2.5 is not "));
     if (o.kind != Kind::vector) continue;
-    Json shorter = o.get(Settings{}), longer = shorter;
+    Json shorter = to_json(o.get(Settings{})), longer = shorter;
     shorter.erase(shorter.size() - 1);
     longer.push_back(1);
     EXPECT_TRUE(contains(refused(o.path, shorter), "is not an array of")) << o.path;
@@ -88,7 +90,7 @@ TEST(Patch, EveryNumberRefusesWhatIsOutOfRangeOrNotFinite) {
   for (const Option& o : options()) {
     if (o.kind != Kind::integer && o.kind != Kind::number && o.kind != Kind::vector) continue;
     const auto with = [&](double x) {
-      Json v = o.get(Settings{});
+      Json v = to_json(o.get(Settings{}));
       (v.is_array() ? v.back() : v) = x;
       return v;
     };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/json.h"
 #include "renderer/base/random.h"
 #include "renderer/inspect/views.h"
 #include "renderer/options/presets.h"
@@ -22,20 +23,20 @@ double random_number(const Option& o, Pcg32& random) {
 }
 
 // Any value that this option takes, from the table alone.
-Json random_value(const Option& o, Pcg32& random) {
-  const Json now = o.get(Settings{});
+OptionValue random_value(const Option& o, Pcg32& random) {
+  const OptionValue now = o.get(Settings{});
   switch (o.kind) {
     case Kind::choice: return o.values[random.next() % o.values.size()].id;
     case Kind::integer: return std::floor(random_number(o, random));
     case Kind::number: return random_number(o, random);
-    case Kind::set: return Json::array();
+    case Kind::set: return OptionList();
     case Kind::vector: {
-      Json v = Json::array();
-      for (const Json& part : now) {
+      OptionList v;
+      for (const OptionValue& part : std::get<OptionList>(now)) {
         const double x = random_number(o, random);
-        v.push_back(part.is_number_integer() ? Json(std::floor(x)) : Json(x));
+        v.emplace_back(std::get<Number>(part).whole ? std::floor(x) : x);
       }
-      if (std::string(o.path) == "camera.orientation") v[random.next() % 4] = 0.5;  // not all 0
+      if (std::string(o.path) == "camera.orientation") v[random.next() % 4].emplace<Number>(0.5);  // not all 0
       return v;
     }
     case Kind::text: break;
@@ -102,7 +103,7 @@ TEST(Options, EveryChoiceTakesEachOfItsValuesAndOnlyItsOwnMemberChanges) {
       const Settings before = preset("start").make();
       Settings s = before;
       o.set(s, r.id, o);
-      EXPECT_EQ(o.get(s), r.id) << o.path;
+      EXPECT_TRUE(o.get(s) == OptionValue(r.id)) << o.path;
       EXPECT_EQ(chosen(o, s), r.value) << o.path;
       for (const Option& other : options())
         EXPECT_TRUE(&other == &o || other.get(s) == other.get(before)) << o.path << " changed " << other.path;
@@ -112,15 +113,15 @@ TEST(Options, EveryChoiceTakesEachOfItsValuesAndOnlyItsOwnMemberChanges) {
 TEST(Options, EveryRangeTakesBothEndsAndItsDefaultReadsBack) {
   for (const Option& o : options()) {
     Settings s;
-    const Json now = o.get(s);
+    const OptionValue now = o.get(s);
     o.set(s, now, o);
-    EXPECT_EQ(o.get(s), now) << o.path;
+    EXPECT_TRUE(o.get(s) == now) << o.path;
     EXPECT_TRUE(s == Settings{}) << o.path;
     if (o.kind != Kind::integer && o.kind != Kind::number) continue;
     const double middle = (o.min + o.max) / 2;
     for (const double x : {o.min, o.max, o.kind == Kind::integer ? std::floor(middle) : middle}) {
       o.set(s, x, o);
-      EXPECT_EQ(o.get(s).get<double>(), x) << o.path;
+      EXPECT_EQ(std::get<Number>(o.get(s)).value, x) << o.path;
     }
   }
 }
@@ -132,7 +133,7 @@ TEST(Options, ANumberChangesItsOwnMemberOnly) {
     const Settings before;
     Settings s;
     for (int i = 0; i < 50 && o.get(s) == o.get(before); ++i) o.set(s, random_value(o, random), o);
-    EXPECT_NE(o.get(s), o.get(before)) << o.path;
+    EXPECT_TRUE(o.get(s) != o.get(before)) << o.path;
     for (const Option& other : options())
       EXPECT_TRUE(&other == &o || other.get(s) == other.get(before)) << o.path << " changed " << other.path;
   }

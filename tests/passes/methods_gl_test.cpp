@@ -132,7 +132,7 @@ TEST_F(Methods, EverySoundOneGivesTheFullScreenPictureOfTheYardFromAnywhere) {
     s.lights.seed = random.next();
     s.lights.range_scale = random.in(0.5, 2);
     s.time_s = random.in(0, 36);
-    expect_all_methods_agree(stage, s, fmt::format("pose {} ({})", k, to_json(s).dump()));
+    expect_all_methods_agree(stage, s, fmt::format("pose {} ({})", k, settings_text(s)));
   }
 }
 
@@ -170,7 +170,7 @@ TEST_F(Methods, EverySoundOneGivesTheFullScreenPictureOfSpotsFromAnywhere) {
     s.lights.range_scale = random.in(0.7, 1.5);
     if (k == 5) s.camera.orthographic_height = 30;
     if (k % 2) s.attenuation = Attenuation::none;  // a hard end: a mesh too small by a hair is seen
-    expect_all_methods_agree(stage, s, fmt::format("pose {} ({})", k, to_json(s).dump()));
+    expect_all_methods_agree(stage, s, fmt::format("pose {} ({})", k, settings_text(s)));
   }
 }
 

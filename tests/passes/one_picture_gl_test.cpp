@@ -15,7 +15,7 @@ Picture lit_of(const Settings& s) { return shared_stage(yard()).lit(s); }
 const Picture& twin_of(const Settings& s) {
   static std::map<std::string, Picture> pictures;
   const Settings twin = plain_twin(s);
-  auto [at, fresh] = pictures.try_emplace(to_json(twin).dump());
+  auto [at, fresh] = pictures.try_emplace(settings_text(twin));
   if (fresh) at->second = lit_of(twin);
   return at->second;
 }
@@ -26,7 +26,7 @@ TEST_F(OnePicture, EveryPairOfValuesOfAnyTwoAxes) {
   int drawn = 0, compared = 0;
   for (; pairs.open() > 0; ++drawn) {
     const Settings s = pairs.next();
-    SCOPED_TRACE(to_json(s).dump());
+    SCOPED_TRACE(settings_text(s));
     const Picture as_chosen = lit_of(s);
     ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     if (!sound(s)) continue;

@@ -15,7 +15,7 @@ TEST_F(OnePictureSlow, TwoThousandRandomSettings) {
     s.lights.count = std::array{0, 1, 16, 64}[k % 4];
     s.lights.seed = random.next();
     s.camera.position = {random.in(2, 38), random.in(0.5, 12), random.in(2, 50)};
-    SCOPED_TRACE(to_json(s).dump());
+    SCOPED_TRACE(settings_text(s));
     Stage stage(yard());  // fresh programs: thousands of variants would fill the memory
     const Picture as_chosen = stage.lit(s);
     ASSERT_EQ(glGetError(), GLenum(GL_NO_ERROR));

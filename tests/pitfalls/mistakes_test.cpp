@@ -23,12 +23,12 @@ TEST(Mistakes, HaveIdsHelpAndSources) {
 TEST(Mistakes, AreSetByIdAndUnknownOnesAreRefused) {
   Settings s;
   const Option& o = option("mistakes");
-  o.set(s, Json::array({"tbn-precedence", "specular-ungated"}), o);
+  o.set(s, OptionList{"tbn-precedence", "specular-ungated"}, o);
   EXPECT_EQ(s.mistakes, (std::set<Mistake>{Mistake::tbn_precedence, Mistake::specular_ungated}));
   EXPECT_FALSE(sound(s));
-  const std::string line = error_line(ExitCode::bad_input, [&] { o.set(s, Json::array({"tbn-precedense"}), o); });
+  const std::string line = error_line(ExitCode::bad_input, [&] { o.set(s, OptionList{"tbn-precedense"}, o); });
   EXPECT_TRUE(contains(line, "did you mean 'tbn-precedence'")) << line;
-  EXPECT_THROW(o.set(s, Json::array({3}), o), std::runtime_error);
+  EXPECT_THROW(o.set(s, OptionList{3}, o), std::runtime_error);
 }
 
 // Each is there because a source contains it, and no mended twin does.

@@ -90,7 +90,7 @@ TEST_P(EveryScene, KnowsItsBounds) {
 
 TEST_P(EveryScene, HasALookThatIsValidAndSound) {
   Settings patched;
-  EXPECT_NO_THROW(apply_patch(patched, parse_json(row().look, row().id), row().id));
+  EXPECT_NO_THROW(apply_patch(patched, parse_patch(row().look, row().id), row().id));
   const Settings s = shown(row());
   for (const Problem& p : validate(s, {})) ADD_FAILURE() << p.path << ": " << p.sentence;
   for (const Unsound& u : unsound_choices(s)) ADD_FAILURE() << u.path << " = " << u.value << ": " << u.pitfall;

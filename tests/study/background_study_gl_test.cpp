@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "tests/app/viewer_fixture.h"
 

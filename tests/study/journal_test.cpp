@@ -7,6 +7,7 @@
 #include <sstream>
 #include <sys/resource.h>
 
+#include "renderer/base/json.h"
 #include "renderer/options/presets.h"
 #include "tests/test_support.h"
 

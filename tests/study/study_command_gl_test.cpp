@@ -9,6 +9,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "tests/test_paths.h"
 #include "tests/test_support.h"

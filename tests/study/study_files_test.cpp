@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
@@ -121,7 +122,7 @@ TEST(StudyJson, HoldsTheSpecTheMachineAndTheRows) {
   const StudySpec spec = spec_with_label("T");
   const Json json = Json::parse(study_json(spec, rows(), kMachine).dump());
   EXPECT_EQ(json["version"], 1);
-  EXPECT_EQ(json["spec"], spec.json);
+  EXPECT_EQ(json["spec"], *spec.json);
   EXPECT_EQ(json["machine"]["device"], "llvmpipe");
   EXPECT_EQ(json["rows"].size(), rows().size());
 }

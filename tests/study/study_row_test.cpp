@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/json.h"
+
 namespace gbl {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "renderer/base/json.h"
 #include "tests/test_support.h"
 
 namespace gbl {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/study/study.h"
 #include "tests/ui/ui_desk.h"
@@ -483,7 +484,8 @@ TEST(ChartViews, ARowSaysWhatItIsAndWhatItCosts) {
                            "p10 11.25", "p90 15", "1 000 lit", "sound yes"})
     EXPECT_NE(words.find(part), std::string::npos) << part << " in: " << words;
   desk.input.settings[0].lights.method = LightMethod::disc;
-  EXPECT_NE(row_fields(desk.input, m.view(), 0).back().text.find(id_of(row(LightMethod::disc).pitfall)), std::string::npos);
+  EXPECT_NE(row_fields(desk.input, m.view(), 0).back().text.find(id_of(row(LightMethod::disc).pitfall)),
+            std::string::npos);
 }
 
 // ---- rows of every sort ------------------------------------------------------------------------------------------

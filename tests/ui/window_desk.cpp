@@ -160,7 +160,7 @@ Figure WindowDesk::figure() {
       10s);
   EXPECT_FALSE(saved.empty()) << "F12 saved no picture";
   if (saved.empty()) return {};
-  Figure f{read_png(saved), from_json(parse_json(read_png_text(saved, kSettingsKey), "figure"), "figure")};
+  Figure f{read_png(saved), parse_settings(read_png_text(saved, kSettingsKey), "figure")};
   fs::remove(saved);
   return f;
 }

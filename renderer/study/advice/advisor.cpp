@@ -304,7 +304,7 @@ std::string setup_in_words(const Settings& s) {
   std::string out;
   for (const char* path : kPaths)
     if (const Option& o = option(path); in_use(o, s))
-      out += fmt::format("{}{}={}", out.empty() ? "" : " ", path, o.get(s).get<std::string>());
+      out += fmt::format("{}{}={}", out.empty() ? "" : " ", path, std::get<std::string>(o.get(s)));
   return out;
 }
 

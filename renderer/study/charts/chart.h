@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/options/options.h"
+#include "renderer/base/json.h"
 
 namespace gbl {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "renderer/base/json.h"
 #include "renderer/base/random.h"
 #include "renderer/truth/measure.h"
 #include "tests/test_support.h"

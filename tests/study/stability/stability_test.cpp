@@ -7,6 +7,7 @@
 #include <set>
 
 #include "renderer/base/error.h"
+#include "renderer/base/json.h"
 #include "renderer/frame/frame_lights.h"
 #include "renderer/light/lights.h"
 #include "renderer/study/stability/stability_chart.h"
