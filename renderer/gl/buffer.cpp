@@ -1,5 +1,8 @@
 #include "renderer/gl/buffer.h"
 
+#include <fmt/format.h>
+
+#include "renderer/gl/gl_error.h"
 #include "renderer/gl/texture.h"
 
 namespace gbl::gl {
@@ -8,7 +11,8 @@ Buffer make_buffer(GLenum target, const void* data, size_t bytes, std::string_vi
   Buffer b = Buffer::make();
   glBindVertexArray(0);  // an element buffer would otherwise be caught by the bound vertex array
   glBindBuffer(target, b.id());
-  glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+  attempt({label, fmt::format("a buffer of {} bytes", bytes), "choose a scene of fewer triangles"},
+          [&] { glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW); });
   set_label(GL_BUFFER, b.id(), label);
   glBindBuffer(target, 0);
   return b;

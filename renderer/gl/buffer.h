@@ -11,7 +11,7 @@ namespace gbl::gl {
 using Buffer = Object<Kind::buffer>;
 using VertexArray = Object<Kind::vertex_array>;
 
-Buffer make_buffer(GLenum target, const void* data, size_t bytes, std::string_view label);
+Buffer make_buffer(GLenum target, const void* data, size_t bytes, std::string_view label);  // Error without memory
 
 struct VertexAttribute {
   GLuint location;

@@ -1,6 +1,6 @@
 #pragma once
 // Pixels from textures to the CPU: at once for files, or some frames later without waiting for the window.
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "renderer/gl/buffer.h"
@@ -21,11 +21,14 @@ class AsyncRead {
   void start(const Texture& rgba32f);  // replaces one that is under way
   void drop();                         // forgets one that is under way
   bool pending() const { return fence_ != nullptr; }
-  // Null until it has arrived; the data is valid until the next start().
+  // Null until it has arrived (never with `wait`, if one is under way); the data is valid until the next start().
+  // Error if the driver fails.
   const std::vector<float>* take(bool wait = false);
 
  private:
+  [[noreturn]] void fail(const char* what) const;
   Buffer buffer_;
+  std::string label_;
   GLsync fence_ = nullptr;
   std::vector<float> data_;
 };

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "renderer/base/error.h"
+#include "renderer/base/size_text.h"
 #include "renderer/gl/device.h"
+#include "renderer/gl/gl_error.h"
 
 namespace gbl::gl {
 namespace {
@@ -52,13 +54,27 @@ void set_label(GLenum kind, GLuint id, std::string_view label) {
     glObjectLabel(kind, id, static_cast<GLsizei>(label.size()), label.data());
 }
 
+namespace {
+
+// "a texture of 1280x720 RGBA16F (7.0 MiB)"
+std::string asked(std::string_view kind, glm::ivec2 size, std::string_view format, double bytes_per_pixel) {
+  return fmt::format("{} of {} {} ({:.1f} MiB)", kind, size_text(size), format,
+                     bytes_per_pixel * size.x * size.y / (1 << 20));
+}
+
+constexpr const char* kSmallerTarget = "choose a smaller size, or a layout of fewer bytes";
+
+}  // namespace
+
 Texture make_texture(const TextureDesc& d) {
-  Texture t{Object<Kind::texture>::make(), d.size, d.format};
+  Texture t{Object<Kind::texture>::make(), d.size, d.format, std::string(d.label)};
   const GlFormat& f = gl_format(d.format);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, t.id());
   state_pixel_storage();
-  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), d.size.x, d.size.y, 0, f.format, f.type, nullptr);
+  attempt({d.label, asked("a texture", d.size, row(d.format).label, row(d.format).bytes), kSmallerTarget}, [&] {
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), d.size.x, d.size.y, 0, f.format, f.type, nullptr);
+  });
   const GLenum filter = d.linear_filter ? GL_LINEAR : GL_NEAREST;
   set_sampling(filter, filter, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
   set_label(GL_TEXTURE, t.id(), d.label);
@@ -66,15 +82,17 @@ Texture make_texture(const TextureDesc& d) {
 }
 
 Texture make_image(const ImageDesc& d) {
-  Texture t{Object<Kind::texture>::make(), d.size, Format::rgba8};
+  Texture t{Object<Kind::texture>::make(), d.size, Format::rgba8, std::string(d.label)};
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, t.id());
   state_pixel_storage();
-  glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-               d.rgba);
   set_sampling(kFiltering[static_cast<int>(d.min)], kFiltering[static_cast<int>(d.mag)],
                kAddress[static_cast<int>(d.address_u)], kAddress[static_cast<int>(d.address_v)]);
-  if (d.min != Filtering::nearest && d.min != Filtering::linear) glGenerateMipmap(GL_TEXTURE_2D);
+  attempt({d.label, asked("an image", d.size, d.srgb ? "sRGB8" : "RGBA8", 4), "make the image smaller"}, [&] {
+    glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, d.rgba);
+    if (d.min != Filtering::nearest && d.min != Filtering::linear) glGenerateMipmap(GL_TEXTURE_2D);
+  });
   set_label(GL_TEXTURE, t.id(), d.label);
   return t;
 }
@@ -85,16 +103,22 @@ void require_complete(std::string_view label) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   if (status != GL_FRAMEBUFFER_COMPLETE)
-    throw Error(ExitCode::no_gl, label, fmt::format("the driver refuses these attachments together (0x{:x})", status),
+    throw Error(ExitCode::no_gl, label,
+                fmt::format("these attachments cannot be drawn into together: {}", framebuffer_text(status)),
                 "choose another layout or format");
 }
 
 }  // namespace
 
-Renderbuffer make_samples(glm::ivec2 size, Format format, int samples) {
+Renderbuffer make_samples(glm::ivec2 size, Format format, int samples, std::string_view label) {
   Renderbuffer buffer = Renderbuffer::make();
   glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, gl_format(format).internal, size.x, size.y);
+  const std::string what =
+      asked(fmt::format("a {}-sample buffer", samples), size, row(format).label, double(row(format).bytes) * samples);
+  attempt({label, what, kSmallerTarget}, [&] {
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, gl_format(format).internal, size.x, size.y);
+  });
+  set_label(GL_RENDERBUFFER, buffer.id(), label);
   return buffer;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Textures and framebuffers, made from descriptions. Formats are rows of renderer/gbuffer/format.h.
 #include <glm/glm.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct Texture {
   Object<Kind::texture> name;
   glm::ivec2 size{0};
   Format format = Format::rgba8;
+  std::string label;
   GLuint id() const { return name.id(); }
 };
 
@@ -22,7 +24,7 @@ struct TextureDesc {
   bool linear_filter = false;  // else nearest: attachments are read by texel
   std::string_view label;
 };
-Texture make_texture(const TextureDesc&);  // contents undefined
+Texture make_texture(const TextureDesc&);  // contents undefined; Error if the driver has no room for it
 
 enum class Address { repeat, clamp, mirror };
 enum class Filtering {
@@ -50,11 +52,11 @@ struct FramebufferDesc {
   const Texture* depth = nullptr;
   std::string_view label;
 };
-Framebuffer make_framebuffer(const FramebufferDesc&);  // Error if the driver refuses the combination
+Framebuffer make_framebuffer(const FramebufferDesc&);  // Error that says why if it cannot be drawn into
 
-// Several samples per pixel, to draw into and resolve from. Error if the driver refuses the combination.
+// Several samples per pixel, to draw into and resolve from. Errors as above.
 using Renderbuffer = Object<Kind::renderbuffer>;
-Renderbuffer make_samples(glm::ivec2 size, Format, int samples);
+Renderbuffer make_samples(glm::ivec2 size, Format, int samples, std::string_view label);
 Framebuffer make_sample_framebuffer(const std::vector<const Renderbuffer*>& colours, const Renderbuffer& depth,
                                     bool stencil, std::string_view label);
 

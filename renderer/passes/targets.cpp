@@ -50,7 +50,7 @@ Targets::Samples Targets::make_sampled(glm::ivec2 size, const std::vector<Attach
       out.stencil = row(a.format).stencil;
     } else
       colours.push_back(out.buffers.size());
-    out.buffers.push_back(gl::make_samples(size, a.format, kSamples));
+    out.buffers.push_back(gl::make_samples(size, a.format, kSamples, a.name));
   }
   std::vector<const gl::Renderbuffer*> attached;
   for (const size_t i : colours) attached.push_back(&out.buffers[i]);
