@@ -10,6 +10,7 @@ Works on a copy of the tree below build/mutation, so the tree itself is never to
 is a question, not yet a gap: the change may be equivalent, or a constant that is only tuned.
 """
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -101,12 +102,13 @@ def copy_tree():
 def run(command, seconds):
     """-> exit status and output; a run that is too long counts as a failure."""
     with subprocess.Popen(command, cwd=TREE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                          start_new_session=True) as process:
+                          errors="replace", start_new_session=True) as process:
         try:
             output, _ = process.communicate(timeout=seconds)
             return process.returncode, output
         except BaseException as stop:
-            os.killpg(process.pid, signal.SIGKILL)
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
             if isinstance(stop, subprocess.TimeoutExpired):
                 return 124, "took too long"
@@ -206,7 +208,8 @@ def main():
                 print(f"{verdict}  {mutant}", flush=True)
     except KeyboardInterrupt:
         print("interrupted")
-    SURVIVORS.write_text(json.dumps(survivors, indent=1))
+    finally:
+        SURVIVORS.write_text(json.dumps(survivors, indent=1))
     print(f"{counts['killed'] + counts['survived']} mutants: {counts['killed']} killed, {counts['survived']} survived "
           f"({counts['uncompilable']} more did not compile)")
 

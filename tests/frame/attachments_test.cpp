@@ -50,6 +50,22 @@ TEST(GbufferLayout, PresetsCostTheirBytes) {
   EXPECT_EQ(accumulation_bytes_per_pixel(least), 4);
 }
 
+// A compact layout has room for the normal beside the material: no attachment of its own, unless the code is too long.
+TEST(GbufferLayout, CompactLayoutsHoldShortNormalsInTheMaterial) {
+  for (const Layout layout : {Layout::compact, Layout::compact_metal}) {
+    Settings s;
+    s.layout = layout;
+    s.normal.encoding = NormalEncoding::oct14;
+    EXPECT_TRUE(normal_in_material(s));
+    EXPECT_EQ(find(attachments(s), Stores::normal), nullptr);
+    const int bytes = gbuffer_bytes_per_pixel(s);
+    s.normal.encoding = NormalEncoding::oct16;
+    EXPECT_FALSE(normal_in_material(s));
+    EXPECT_NE(find(attachments(s), Stores::normal), nullptr);
+    EXPECT_GT(gbuffer_bytes_per_pixel(s), bytes);
+  }
+}
+
 TEST(GbufferLayout, EachChoiceHasItsFormat) {
   for (const ValueRow& r : rows<NormalEncoding>()) {
     Settings s;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "renderer/frame/attachments.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
 #include "tests/test_support.h"
@@ -121,6 +122,20 @@ TEST(Validate, LimitsAreTheDevicesAndBothEndsAreAllowed) {
   s.lights.count = 0;  // no light, and no single one asked for
   s.lights.only = -1;
   EXPECT_TRUE(validate(s, small).empty());
+}
+
+TEST(Validate, AsManyTargetsAsTheDeviceHasAreAllowedAndNoMore) {
+  Settings s = preset("start").make();
+  s.layout = Layout::objectid;
+  s.position.source = PositionSource::world32f;
+  int targets = 0;
+  for (const Attachment& a : attachments(s)) targets += a.written_by == Pass::geometry && a.stores != Stores::depth;
+  DeviceLimits limits = every_feature();
+  limits.max_draw_buffers = targets;
+  EXPECT_TRUE(validate(s, limits).empty());
+  limits.max_draw_buffers = targets - 1;
+  ASSERT_EQ(validate(s, limits).size(), 1u);
+  EXPECT_TRUE(contains(validate(s, limits)[0].sentence, fmt::format("{} colour targets", targets)));
 }
 
 std::vector<Problem> missing_features(const Settings& s, const DeviceLimits& limits) {

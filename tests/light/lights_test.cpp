@@ -116,6 +116,29 @@ TEST(Lights, ColoursBelongToTheSeedNotToTheCount) {
   EXPECT_NEAR(sum / 3000, 1, 0.03);  // five standard deviations of a mean of 3000: 5 * 0.289 / sqrt(3000)
 }
 
+TEST(Lights, InABoxFillItAndTheirColoursInEveryChannel) {
+  LightBox box{.min = {-1, 2, 3}, .max = {1, 6, 11}, .rule = BoxRange::fixed, .range = 7};
+  const std::vector<Light> few = generated_lights(box, 10, 3), many = generated_lights(box, 1000, 3);
+  for (int k = 0; k < 3; ++k) {
+    glm::dvec2 place(1e9, -1e9), colour(1e9, -1e9);
+    for (const Light& l : many) {
+      place = {std::min(place.x, l.position[k]), std::max(place.y, l.position[k])};
+      colour = {std::min(colour.x, l.colour[k]), std::max(colour.y, l.colour[k])};
+    }
+    EXPECT_GE(place.x, box.min[k]);
+    EXPECT_LE(place.y, box.max[k]);
+    EXPECT_GT(place.y - place.x, 0.98 * (box.max[k] - box.min[k]));
+    EXPECT_GE(colour.x, box.colour_min);
+    EXPECT_LE(colour.y, box.colour_max);
+    EXPECT_GT(colour.y - colour.x, 0.98 * (box.colour_max - box.colour_min));
+  }
+  for (size_t i = 0; i < few.size(); ++i) {
+    EXPECT_EQ(few[i].position, many[i].position) << i;
+    EXPECT_EQ(few[i].colour, many[i].colour) << i;
+    EXPECT_EQ(few[i].range, 7);
+  }
+}
+
 TEST(LightsOf, ScaleFirstAndOnly) {
   Settings s;
   const std::vector<Light> all = lights_of(s, terrain_grid());

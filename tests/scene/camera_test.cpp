@@ -112,6 +112,30 @@ TEST(Camera, DepthAndRangeAreInverseAndMeetThePlanes) {
   EXPECT_NEAR(depth_from_range(c, 2), 0.5, 1e-4);
 }
 
+// Reed 2015: 1 at the near plane, 0 at the far one, x and y as ever.
+TEST(Camera, ReversedDepthRunsTheOtherWay) {
+  Pcg32 random(5);
+  for (const bool orthographic : {false, true})
+    for (int i = 0; i < 200; ++i) {
+      const Camera c = some_camera(random, orthographic);
+      const ViewRays rays = view_rays(c, kWide);
+      const double x = random.in(-1, 1), y = random.in(-1, 1), range = random.in(c.near, c.far);
+      const auto ndc_at = [&](double distance) {
+        const glm::dvec3 point = relative_point(c, rays, x, y, distance);
+        const glm::dvec4 clip = clip_from_relative(c, kWide, DepthRuns::reversed) * glm::dvec4(point, 1);
+        return glm::dvec3(clip) / clip.w;
+      };
+      EXPECT_NEAR(ndc_at(c.near).z, 1, 1e-9);
+      EXPECT_NEAR(ndc_at(c.far).z, 0, 1e-9);
+      EXPECT_NEAR(ndc_at(range).x, x, 1e-9);
+      EXPECT_NEAR(ndc_at(range).y, y, 1e-9);
+      EXPECT_NEAR(ndc_at(range).z, depth_from_range(c, range, DepthRuns::reversed), 1e-9);
+      EXPECT_NEAR(depth_from_range(c, range, DepthRuns::reversed), 1 - depth_from_range(c, range), 1e-12);
+      EXPECT_NEAR(range_from_depth(c, depth_from_range(c, range, DepthRuns::reversed), DepthRuns::reversed), range,
+                  1e-9 * range);
+    }
+}
+
 TEST(Camera, RangeIsExactForAnyRatioOfThePlanes) {
   Camera c;
   c.near = 1e-6;

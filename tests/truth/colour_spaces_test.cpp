@@ -21,6 +21,7 @@ TEST(ColourSpaces, AgreeWithPublishedNumbers) {
   EXPECT_NEAR(red.y, 80.09, 0.01);
   EXPECT_NEAR(red.z, 67.20, 0.01);
   EXPECT_NEAR(lab_from_xyz(glm::dvec3(0.18)).x, 49.50, 0.01) << "grey card";
+  EXPECT_NEAR(lab_from_xyz(glm::dvec3(0.001)).x, 0.9033, 1e-4) << "CIE 15: L* = 903.3 Y where it is dark";
 }
 
 TEST(ColourSpaces, SrgbIsUndone) {

@@ -315,6 +315,56 @@ TEST(Reference, MistakesAreNeverTrue) {
   EXPECT_EQ(truth_of(scene, s).lit, right.lit);
 }
 
+// The normal map's frame in the world, turned, scaled and mirrored with its object: red along the tangent, green along
+// w * cross(normal, tangent), each as the object's own edges go.
+TEST(Reference, ANormalMapTurnsWithItsObject) {
+  const Settings s = closed_settings();
+  Scene scene = make_plane(20);
+  scene.materials[0].normal_texture.texture = 0;
+  for (const double mirror : {1.0, -1.0}) {
+    const glm::dmat3 turned(glm::mat4_cast(orientation_from_yaw_pitch(30, 0)));
+    const glm::dmat3 world_from_object = turned * glm::dmat3(2 * mirror, 0, 0, 0, 2, 0, 0, 0, 2);
+    scene.instances[0].world_from_object = glm::dmat4(world_from_object);
+    const glm::dvec3 frame[] = {world_from_object * glm::dvec3(1, 0, 0),
+                                world_from_object * glm::cross(glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0)),
+                                world_from_object * glm::dvec3(0, 1, 0)};
+    for (int k = 0; k < 3; ++k) {
+      std::vector<SeenTexel> seen = seen_by_rays(scene, s);
+      for (SeenTexel& t : seen)
+        for (int c = 0; c < 3; ++c) t.normal[c] = c == k ? 1 : 0.5f;
+      Reference reference(s, std::make_shared<const Scene>(scene), seen);
+      EXPECT_TRUE(reference.run(1));
+      each_surface(reference.truth(), s, [&](glm::dvec3, size_t i) {
+        EXPECT_LE(glm::distance(reference.truth().normal[i], glm::normalize(frame[k])), kClosedForm) << mirror << k;
+      });
+    }
+  }
+}
+
+TEST(Reference, ABackFacesNormalLooksAtTheCamera) {
+  Settings s = closed_settings();
+  s.camera.position.y = -6;
+  s.camera.orientation = orientation_from_yaw_pitch(8, 40);
+  const Truth truth = truth_of(make_plane(20, {.double_sided = true}), s);
+  each_surface(truth, s, [&](glm::dvec3, size_t i) {
+    EXPECT_LE(glm::distance(truth.normal[i], glm::dvec3(0, -1, 0)), kClosedForm);
+  });
+}
+
+TEST(Reference, CountsThePairsThatAreInRange) {
+  Scene scene = make_plane(20);
+  scene.lights = {point_light({0, 2, 0}, 5), point_light({3, 1, 1}, 4)};
+  const Settings s = closed_settings();
+  Reference reference(s, std::make_shared<const Scene>(scene), seen_by_rays(scene, s));
+  EXPECT_TRUE(reference.run(2));
+  uint64_t expected = 0;
+  each_surface(reference.truth(), s, [&](glm::dvec3 p, size_t) {
+    for (const Light& l : scene.lights) expected += glm::distance(p, l.position) < l.range;
+  });
+  EXPECT_GT(expected, 20u);
+  EXPECT_EQ(reference.lit_pairs(), expected);
+}
+
 TEST(Reference, DoesNotDependOnThreadsOrInterruptions) {
   Scene scene = make_plane(20);
   scene.lights = {point_light({0, 2, 0}), point_light({2, 1, 1})};
