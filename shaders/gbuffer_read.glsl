@@ -1,6 +1,6 @@
 // The G-buffer as the lighting, the views and the probe read it: by texel, never filtered. What a method does not
 // store is left out here: forward shading has depth alone.
-#include "surface.glsl"
+#include "packing.glsl"
 #include "position.glsl"
 
 uniform sampler2D gbuffer_depth;
@@ -69,18 +69,20 @@ vec3 read_position(ivec2 texel) {
 }
 
 Surface read_surface(ivec2 texel) {
-  const vec3 zero = vec3(0.0);
-  Surface s = Surface(false, zero, zero, zero, zero, 0.0, 0.0, 0.0, zero, zero, 0.0);
-  s.present = read_present(texel);
-  s.position = read_position(texel);
 #ifdef STORED_MATERIAL
+  Surface s = unstored_surface();
   Stored t = read_stored(texel);
   unpack_material(t, s);
 #if NORMAL_IN_MATERIAL
-  s.normal = normal_of_word(t.material.x & 0x0fffffffu);
+  s.normal = normal_of_word(stored_normal_word(t.material));
 #else
   s.normal = unpack_normal(texelFetch(gbuffer_normal, texel, 0));
 #endif
+#else
+  const vec3 zero = vec3(0.0);
+  Surface s = Surface(false, zero, zero, zero, zero, 0.0, 0.0, 0.0, zero, zero, 0.0);
 #endif
+  s.present = read_present(texel);
+  s.position = read_position(texel);
   return s;
 }

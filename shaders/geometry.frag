@@ -1,5 +1,6 @@
 // Material, normal and position of what is visible, packed as the layout says.
 #include "material.glsl"
+#include "packing.glsl"
 #include "position.glsl"
 
 layout(location = STORED_MATERIAL) out MATERIAL_TEXEL out_material;
@@ -34,21 +35,22 @@ void main() {
   if (base.a < alpha_cutoff) discard;
 #endif
   Surface s = material_surface(base);
-  out_material = pack_material(s);
+  Stored t = pack_material(s);
+  out_material = t.material;
 #ifdef STORED_NORMAL
   out_normal = pack_normal(s.normal);
 #endif
 #ifdef STORED_REFLECTANCE
-  out_reflectance = pack_reflectance(s);
+  out_reflectance = t.reflectance;
 #endif
 #ifdef STORED_EMISSION
-  out_emission = pack_emission(s);
+  out_emission = t.emission;
 #endif
 #ifdef STORED_AMBIENT
-  out_ambient = vec4(coded8(s.ambient), 1.0);
+  out_ambient = t.ambient;
 #endif
 #ifdef STORED_SHININESS
-  out_shininess = vec4(stored_exponent(s), 0.0, 0.0, 0.0);
+  out_shininess = t.shininess;
 #endif
 #ifdef STORED_ID
   out_id = uvec4(object_id, 0u, 0u, 0u);

@@ -70,7 +70,7 @@ vec4 raw(ivec2 texel) {
 #elif VIEW == VIEW_NORMAL && defined(STORED_NORMAL)
   return raw_normal(texelFetch(gbuffer_normal, texel, 0));
 #elif VIEW == VIEW_NORMAL && NORMAL_IN_MATERIAL
-  return raw_normal(uvec4(texelFetch(gbuffer_material, texel, 0).x & 0x0fffffffu, 0u, 0u, 0u));
+  return raw_normal(uvec4(stored_normal_word(texelFetch(gbuffer_material, texel, 0)), 0u, 0u, 0u));
 #elif VIEW == VIEW_POSITION && defined(STORED_POSITION)
   return vec4(texelFetch(gbuffer_position, texel, 0).rgb, 1.0);
 #elif VIEW == VIEW_DEPTH || VIEW == VIEW_POSITION

@@ -17,8 +17,10 @@ namespace gbl::test {
 class ShaderCopy {
  public:
   ShaderCopy() : before_(override_folder()), folder_(build_folder() / fmt::format("shader_copy_{}", getpid())) {
-    make_folder(folder_ / "shaders");
-    for (const std::string& name : resource_names("shaders/")) write_text_file(folder_ / name, resource(name));
+    for (const std::string& name : resource_names("shaders/")) {
+      make_folder((folder_ / name).parent_path());
+      write_text_file(folder_ / name, resource(name));
+    }
     set_override_folder(folder_);
   }
   ~ShaderCopy() {

@@ -81,7 +81,7 @@ long long shaders_stamp() {
   constexpr long long kNone = std::numeric_limits<long long>::min();
   long long newest = kNone;  // not 0: some libraries count file times from the year 2174, so that all are negative
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(g_override / "shaders", ignored)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(g_override / "shaders", ignored)) {
     const auto time = entry.last_write_time(ignored);
     if (!ignored) newest = std::max<long long>(newest, time.time_since_epoch().count());
   }

@@ -13,31 +13,50 @@ constexpr Attachment of_geometry(const char* name, Stores stores, Format format,
   return {name, Pass::geometry, stores, format, contents};
 }
 
-constexpr int kNormalBitsInMaterial = 28;  // of the first word of the compact layouts
-
 // What lighting needs when the materials come later: deferred lighting's thin G-buffer.
 constexpr Attachment kThin =
     of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba8, "rgb: specular colour; a: roughness");
 constexpr Attachment kThinFloat =
     of_geometry("gbuffer.specular_rough", Stores::material, Format::rgba32f, kThin.contents);
 
-Attachment position_attachment(PositionSource source) {
-  constexpr Format kFormats[] = {Format::r32f,    Format::r32f,    Format::rgba16f, Format::rgba32f,
-                                 Format::rgba16f, Format::rgba32f, Format::rgba32f};
-  return {"gbuffer.position", Pass::geometry, Stores::position, kFormats[static_cast<int>(source)], row(source).help};
+Format format_of(PositionSource source) {
+  switch (source) {
+    case PositionSource::depth:
+    case PositionSource::linear32f: return Format::r32f;
+    case PositionSource::world16f:
+    case PositionSource::view16f: return Format::rgba16f;
+    case PositionSource::world32f:
+    case PositionSource::view32f:
+    case PositionSource::view_scaled: break;
+  }
+  return Format::rgba32f;
+}
+
+Format format_of(DepthFormat f) {
+  switch (f) {
+    case DepthFormat::d16: return Format::d16;
+    case DepthFormat::d24: return Format::d24;
+    case DepthFormat::d32f:
+    case DepthFormat::d32f_reversed: break;
+  }
+  return Format::d32f;
+}
+
+Format format_of(AccumulationFormat f) {
+  switch (f) {
+    case AccumulationFormat::rgba8: return Format::rgba8;
+    case AccumulationFormat::r11g11b10f: return Format::r11g11b10f;
+    case AccumulationFormat::rgba16f: return Format::rgba16f;
+    case AccumulationFormat::rgba32f: break;
+  }
+  return Format::rgba32f;
 }
 
 // D16 has no variant with a stencil buffer; validate() says so.
 Format depth_format(const Settings& s) {
-  constexpr Format kDepth[] = {Format::d16, Format::d24, Format::d32f, Format::d32f};
-  const Format plain = kDepth[static_cast<int>(s.depth.format)];
+  const Format plain = format_of(s.depth.format);
   if (!needs_stencil(s)) return plain;
   return plain == Format::d24 ? Format::d24s8 : plain == Format::d32f ? Format::d32fs8 : plain;
-}
-
-Format accumulation_format(AccumulationFormat f) {
-  constexpr Format kAccumulation[] = {Format::rgba8, Format::r11g11b10f, Format::rgba16f, Format::rgba32f};
-  return kAccumulation[static_cast<int>(f)];
 }
 
 int bytes_per_pixel(const Settings& s, Pass pass) {
@@ -51,13 +70,13 @@ bool split(const Settings& s) { return s.accumulation.targets == AccumulationTar
 
 void append_material(const Settings& s, std::vector<Attachment>& all) {
   if (shading_of(s.lights.method) == Shading::light_prepass) {
-    all.push_back(s.layout == Layout::float32 ? kThinFloat : kThin);
+    all.push_back(facts(s.layout).floats ? kThinFloat : kThin);
     return;
   }
   for (const MaterialTexel& t : facts(s.layout).material)
     if (t.name) all.push_back(of_geometry(t.name, t.stores, t.format, t.contents));
-  if (s.layout == Layout::stereo) {
-    const Format sum = accumulation_format(s.accumulation.format);
+  if (facts(s.layout).begins_sum) {
+    const Format sum = format_of(s.accumulation.format);
     all.push_back(sum_begins_in_geometry(s)
                       ? of_geometry("light.sum", Stores::light, sum, "rgb: ambient + emission, then all light")
                       : of_geometry("gbuffer.accumulation", Stores::emission, sum, "rgb: ambient + emission"));
@@ -65,7 +84,7 @@ void append_material(const Settings& s, std::vector<Attachment>& all) {
 }
 
 void append_light(const Settings& s, std::vector<Attachment>& all) {
-  const Format sum = accumulation_format(s.accumulation.format);
+  const Format sum = format_of(s.accumulation.format);
   if (split(s)) {
     all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
     all.push_back({"light.specular", Pass::lighting, Stores::specular_light, sum, "rgb: specular light"});
@@ -80,13 +99,13 @@ void append_light(const Settings& s, std::vector<Attachment>& all) {
 }  // namespace
 
 bool sum_begins_in_geometry(const Settings& s) {
-  return s.layout == Layout::stereo && !split(s) && shading_of(s.lights.method) == Shading::deferred;
+  return facts(s.layout).begins_sum && !split(s) && shading_of(s.lights.method) == Shading::deferred;
 }
 
 bool normal_in_material(const Settings& s) {
-  return (s.layout == Layout::compact || s.layout == Layout::compact_metal) &&
-         shading_of(s.lights.method) == Shading::deferred && row_of(s.normal.encoding).format == Format::r32ui &&
-         row_of(s.normal.encoding).bits() <= kNormalBitsInMaterial;
+  const auto& normal = row_of(s.normal.encoding);
+  return shading_of(s.lights.method) == Shading::deferred && normal.format == Format::r32ui &&
+         normal.bits() <= facts(s.layout).normal_bits;
 }
 
 std::vector<Attachment> attachments(const Settings& s) {
@@ -97,7 +116,9 @@ std::vector<Attachment> attachments(const Settings& s) {
     if (!normal_in_material(s))
       all.push_back({"gbuffer.normal", Pass::geometry, Stores::normal, row_of(s.normal.encoding).format,
                      row(s.normal.encoding).label});
-    if (s.position.source != PositionSource::depth) all.push_back(position_attachment(s.position.source));
+    if (s.position.source != PositionSource::depth)
+      all.push_back({"gbuffer.position", Pass::geometry, Stores::position, format_of(s.position.source),
+                     row(s.position.source).help});
   }
   all.push_back({"gbuffer.depth", Pass::geometry, Stores::depth, depth_format(s),
                  s.depth.format == DepthFormat::d32f_reversed ? "window depth 1..0, near to far"

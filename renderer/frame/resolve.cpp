@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/gbuffer/layouts.h"
+
 namespace gbl {
 namespace {
 
@@ -45,10 +47,12 @@ Resolved resolve(const Settings& s, const Scene& scene) {
     LayoutChoice choice = choose_layout(needs_of(scene));
     choose(choice.layout, "");
     append(out.notes, std::move(choice.left_out));
-  } else if (s.layout == Layout::compact && needs_of(scene).any()) {
-    choose(Layout::compact_metal, ", since a material has metal, emission or occlusion");
-  } else if (s.layout == Layout::exact && needs_of(scene).emission) {
-    choose(Layout::exact_emission, ", since a material shines");
+  } else if (const std::optional<Successor>& next = facts(s.layout).successor) {
+    const MaterialNeeds needs = needs_of(scene);
+    if (next->when == MaterialHas::more && needs.any())
+      choose(next->layout, ", since a material has metal, emission or occlusion");
+    else if (next->when == MaterialHas::emission && needs.emission)
+      choose(next->layout, ", since a material shines");
   }
   return out;
 }

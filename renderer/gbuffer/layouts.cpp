@@ -1,5 +1,8 @@
 #include "renderer/gbuffer/layouts.h"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 #include "renderer/rows/value_table.h"
 
 namespace gbl {
@@ -21,5 +24,12 @@ constexpr auto kValues = values_of<kLayouts>([](const LayoutRow& r) { return r.a
 GBL_ROWS(Layout, kValues)
 
 const LayoutRow& facts(Layout l) { return kLayouts[static_cast<int>(l)]; }
+
+bool succeeds_another(Layout l) {
+  return std::any_of(std::begin(kLayouts), std::end(kLayouts),
+                     [&](const LayoutRow& r) { return r.successor && r.successor->layout == l; });
+}
+
+std::string shader_of(Layout l) { return fmt::format("layouts/{}.glsl", row(l).id); }
 
 }  // namespace gbl

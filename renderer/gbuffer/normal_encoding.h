@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "renderer/rows/value_row.h"
 #include "renderer/gbuffer/format.h"
+#include "renderer/rows/value_row.h"
 
 namespace gbl {
 
@@ -15,7 +15,7 @@ enum class NormalEncoding {
 #undef ENCODING
 };
 
-// How a code lies in a texel; the constants STORAGE_… of shaders/surface.glsl. Follows from the format.
+// How a code lies in a texel; the constants STORAGE_… of shaders/normal_texel.glsl. Follows from the format.
 enum class NormalStorage { unorm8, uints, word, floats };
 
 // Between a direction and what is read back: mean and 99th percentile over directions uniform by area; the maximum

@@ -17,20 +17,32 @@ namespace {
 constexpr const char* kPrelude = "#version 330 core\n#define real float\n";
 constexpr const char* kComputePrelude = "#version 430 core\n#define real float\n";
 
-void append_file(ShaderText& out, const std::string& name) {
+// The file of an #include line: in quotes, or the value of a define that stands there. Empty: the line is another.
+std::string included_file(const std::string& line, const Defines& defines, std::string_view where) {
+  if (!line.starts_with("#include")) return "";
+  static const std::regex kInclude(R"re(^#include\s+(?:"([^"]+)"|(\w+)).*)re");
+  std::smatch m;
+  if (!std::regex_match(line, m, kInclude)) return "";
+  if (m[1].matched) return fmt::format("shaders/{}", m[1].str());
+  const auto named = std::find_if(defines.begin(), defines.end(), [&](const Define& d) { return d.name == m[2]; });
+  if (named == defines.end())
+    throw Error(ExitCode::bad_input, where, fmt::format("#include {}: no such define", m[2].str()));
+  return fmt::format("shaders/{}", named->value);
+}
+
+void append_file(ShaderText& out, const std::string& name, const Defines& defines) {
   const int file = static_cast<int>(out.files.size());
   out.files.push_back(name);
   std::istringstream text(resource(name));
   out.body += fmt::format("#line 1 {}\n", file);
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
-    const size_t open = line.starts_with("#include") ? line.find('"') : std::string::npos;
-    if (open == std::string::npos) {
+    const std::string included = included_file(line, defines, fmt::format("{}:{}", name, number));
+    if (included.empty()) {
       out.body += line + "\n";
       continue;
     }
-    const std::string included = "shaders/" + line.substr(open + 1, line.rfind('"') - open - 1);
-    if (std::find(out.files.begin(), out.files.end(), included) == out.files.end()) append_file(out, included);
+    if (std::find(out.files.begin(), out.files.end(), included) == out.files.end()) append_file(out, included, defines);
     out.body += fmt::format("#line {} {}\n", number + 1, file);
   }
 }
@@ -104,7 +116,7 @@ void assign_units(GLuint program) {
 ShaderText load_shader(std::string_view name, const Defines& defines) {
   ShaderText out{std::string(name), "", {}};
   for (const Define& d : defines) out.body += fmt::format("#define {} {}\n", d.name, d.value);
-  append_file(out, fmt::format("shaders/{}", name));
+  append_file(out, fmt::format("shaders/{}", name), defines);
   return out;
 }
 

@@ -14,7 +14,7 @@ namespace gbl::gl {
 
 struct Define {
   std::string name;
-  std::string value;  // a number or a word of GLSL
+  std::string value;  // a number, a word of GLSL or a file that `#include NAME` names
   Define(std::string n, int v) : name(std::move(n)), value(std::to_string(v)) {}
   Define(std::string n, std::string word) : name(std::move(n)), value(std::move(word)) {}
   auto operator<=>(const Define&) const = default;
@@ -27,7 +27,7 @@ struct ShaderText {
   std::vector<std::string> files = {};  // index = GLSL source-string number used in #line; empty: `name` alone
 };
 
-// Reads shaders/`name`, expands #include "x" once per file with #line markers, prepends the defines.
+// Reads shaders/`name`, expands #include "x" and #include DEFINE once per file with #line markers, prepends the defines.
 ShaderText load_shader(std::string_view name, const Defines&);
 
 // "0:12(5): error: …" of Mesa or "0(12) : error …" of others -> "shaders/surface.glsl:12: error: …".

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/rows/value_table.h"
 #include "renderer/gbuffer/layouts.h"
+#include "renderer/rows/value_table.h"
 
 namespace gbl {
 namespace {
@@ -117,9 +117,8 @@ constexpr bool in_order() {
   return std::size(kViews) == kViewCount;
 }
 static_assert(in_order(), "row i must be view i");
-constexpr auto kValues = values_of<kViews>([](const ViewRow& r) {
-  return ValueRow{.id = r.id, .label = r.label, .help = r.sentence};
-});
+constexpr auto kValues =
+    values_of<kViews>([](const ViewRow& r) { return ValueRow{.id = r.id, .label = r.label, .help = r.sentence}; });
 
 Stores stored(View v) {
   switch (v) {
@@ -282,9 +281,8 @@ std::string stored_as(View v, const Settings& s) {
   if (v == View::error) return fmt::format("of {} against the reference", row(s.view.error.of).label);
   const std::vector<Attachment> all = attachments(s);
   const Attachment* a = find(all, stored(v));
-  const bool beside_albedo = v == View::material && !facts(s.layout).words && s.layout != Layout::float32;
-  if (beside_albedo && find(all, Stores::reflectance)) a = find(all, Stores::reflectance);
-  if (v == View::material && find(all, Stores::shininess)) a = find(all, Stores::shininess);
+  const Stores material = facts(s.layout).shows_stored;
+  if (v == View::material && find(all, material)) a = find(all, material);
   if (v == View::position && find(all, Stores::position)) a = find(all, Stores::position);
   if (v == View::normal && !a) a = find(all, Stores::material);
   if (!a) a = find(all, Stores::light);

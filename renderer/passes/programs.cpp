@@ -61,7 +61,9 @@ void append_choice(gl::Defines& out, const char* name, const char* prefix, std::
 
 gl::Defines gbuffer_defines(const Settings& s) {
   gl::Defines out;
-  append_axis(out, "LAYOUT", "LAYOUT_", s.layout);
+  const LayoutRow& layout = facts(s.layout);
+  const Shading shading = shading_of(s.lights.method);
+  out.push_back({"LAYOUT_FILE", shading == Shading::light_prepass ? kThinLayoutShader : shader_of(s.layout)});
   append_encoding(out, s.normal.encoding);
   append_axis(out, "NORMAL_SPACE", "SPACE_", s.normal.space);
   append_axis(out, "POSITION_SOURCE", "POSITION_", s.position.source);
@@ -73,11 +75,11 @@ gl::Defines gbuffer_defines(const Settings& s) {
   for (const Attachment& a : attachments(s))
     if (a.written_by == Pass::geometry && a.stores != Stores::depth)
       out.push_back({constant_name("STORED_", kStoresNames[static_cast<int>(a.stores)]), draw_buffer++});
-  out.push_back({"THIN", shading_of(s.lights.method) == Shading::light_prepass});
-  out.push_back({"MATERIAL_WORDS", facts(s.layout).words && shading_of(s.lights.method) == Shading::deferred});
+  out.push_back({"MATERIAL_WORDS", layout.words && shading == Shading::deferred});
+  out.push_back({"MATERIAL_FLOATS", layout.floats});
   out.push_back({"NORMAL_IN_MATERIAL", normal_in_material(s)});
   out.push_back({"DEPTH_REVERSED", s.depth.format == DepthFormat::d32f_reversed});
-  out.push_back({"MATERIAL_VIEW", static_cast<int>(facts(s.layout).shows)});
+  out.push_back({"MATERIAL_VIEW", static_cast<int>(layout.shows)});
   append_mistakes(out, s, MistakeIn::shading);
   return out;
 }

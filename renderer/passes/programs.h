@@ -13,7 +13,7 @@ namespace gbl {
 // What a lighting pass writes; constants of shaders/light_output.glsl.
 enum class LightOutput { split, sum, count };
 
-// LAYOUT = the chosen value, and LAYOUT_NCLGL, LAYOUT_FLOAT32, … = each row's value.
+// COLOUR = the chosen value, and COLOUR_SRGB, COLOUR_AS_TUTORIAL, … = each row's value.
 void append_choice(gl::Defines&, const char* name, const char* prefix, std::span<const ValueRow>, int chosen);
 template <class E>
 void append_axis(gl::Defines& out, const char* name, const char* prefix, E chosen) {

@@ -21,9 +21,9 @@ std::string bytes_of(const fs::path& path) {
 
 std::vector<std::string> files_in(const std::string& folder, const std::string& extension) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(test::source_folder() / folder))
-    if (extension.empty() || entry.path().extension() == extension)
-      names.push_back(folder + "/" + entry.path().filename().string());
+  for (const auto& entry : fs::recursive_directory_iterator(test::source_folder() / folder))
+    if (entry.is_regular_file() && (extension.empty() || entry.path().extension() == extension))
+      names.push_back(fs::relative(entry.path(), test::source_folder()).generic_string());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -89,15 +89,18 @@ TEST_F(Resources, UnknownNamesAreAnErrorWithTheName) {
 
 TEST_F(Resources, TheStampChangesWhenAShaderIsSaved) {
   const TemporaryFolder folder("resources");
-  fs::create_directories(folder / "shaders");
-  std::ofstream(folder / "shaders/a.frag") << "1";
+  fs::create_directories(folder / "shaders/layouts");
+  const char* const files[] = {"shaders/a.frag", "shaders/layouts/b.glsl"};
+  for (const char* file : files) std::ofstream(folder / file) << "1";
   set_override_folder(folder.path());
-  const long long before = shaders_stamp();
-  EXPECT_NE(before, 0);
-  EXPECT_EQ(shaders_stamp(), before);
-  fs::last_write_time(folder / "shaders/a.frag",
-                      fs::last_write_time(folder / "shaders/a.frag") + std::chrono::seconds(1));
-  EXPECT_GT(shaders_stamp(), before);
+  int seconds = 0;
+  for (const char* file : files) {
+    const long long before = shaders_stamp();
+    EXPECT_NE(before, 0);
+    EXPECT_EQ(shaders_stamp(), before);
+    fs::last_write_time(folder / file, fs::last_write_time(folder / file) + std::chrono::seconds(++seconds));
+    EXPECT_GT(shaders_stamp(), before) << file;
+  }
   set_override_folder(folder / "no-such-folder");
   EXPECT_EQ(shaders_stamp(), 0);
 }

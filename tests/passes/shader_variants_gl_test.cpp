@@ -12,7 +12,7 @@ TEST_F(ShaderVariants, EveryViewCompilesForEveryValue) {
   ProgramCache programs;
   for (const Axis& axis : all_axes())
     for (const Choice& c : axis) {
-      const Settings s = settings_of({c}, {8, 4});
+      const Settings s = resolve(settings_of({c}, {8, 4}), yard().scene()).settings;
       for (const ViewRow& v : views())
         for (const int raw : {0, 1}) {
           gl::Defines defines = gbuffer_defines(s);

@@ -37,6 +37,7 @@ TEST_F(Shaders, ABrokenIncludeIsNamedAndTheOldPictureStays) {
   for (const auto& [name, mark] : {std::pair("shaders/shade.glsl", "Lighting shade("),
                                    {"shaders/colour.glsl", "#else"},
                                    {"shaders/position.glsl", "vec3 position_from_depth("},
+                                   {"shaders/layouts/albedo-roughness.glsl", "void unpack_material("},
                                    {"shaders/combine.frag", "void main"}}) {
     const int line = copy.insert(name, mark, "this is no GLSL;");
     const std::string error = reload_error(stage.renderer);

@@ -62,13 +62,12 @@ void for_sound_rows(const DeviceLimits& limits, const std::function<void(const V
     if (r.sound() && limits.features.has(r.needs)) each(r);
 }
 
-// compact and exact find their variants by themselves, and auto is one of the others.
+// Some layouts find their successors by themselves, and auto is one of the others.
 Values layouts(const DeviceLimits& limits) {
   Values out;
   for_sound_rows<Layout>(limits, [&](const ValueRow& r) {
     const auto l = static_cast<Layout>(r.value);
-    if (l != Layout::auto_ && l != Layout::compact_metal && l != Layout::exact_emission)
-      out.push_back({{"layout", r.id}});
+    if (l != Layout::auto_ && !succeeds_another(l)) out.push_back({{"layout", r.id}});
   });
   return out;
 }
