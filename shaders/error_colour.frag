@@ -2,13 +2,13 @@
 uniform sampler2D errors;
 uniform vec3 stops[COLOUR_STOPS];
 uniform float range;
-uniform vec3 sky_colour;
+uniform vec3 empty_colour;
 layout(location = 0) out vec4 picture;
 
 void main() {
   vec4 e = texelFetch(errors, ivec2(gl_FragCoord.xy), 0);
   if (e.a < 0.5) {
-    picture = vec4(sky_colour, 1.0);
+    picture = vec4(empty_colour, 1.0);
   } else if (!(abs(e.r) < 3.0e38)) {
     picture = vec4(1.0, 0.0, 1.0, 1.0);  // not a number, or without bound: never shown as black
   } else {

@@ -16,12 +16,6 @@ std::string stored_text(View v, const Settings& s) {
   return text;
 }
 
-const char* pass_name(Pass p) {
-  constexpr const char* kNames[] = {"geometry pass (Fill)", "lighting pass (Light)", "combine pass (Combine)",
-                                    "display transform (Show)"};
-  return kNames[static_cast<int>(p)];
-}
-
 }  // namespace
 
 // Where it hides something else than the picture that it explains.

@@ -15,6 +15,26 @@ constexpr ImWchar kGlyphs[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0
                                0x209C, 0x2190, 0x2195, 0x21E7, 0x21E7, 0x2200, 0x2265, 0x22C5, 0x22C5,
                                0x25A0, 0x25CF, 0x26A0, 0x26A0, 0x2713, 0x2717, 0};
 
+struct PassLook {
+  Pass pass;
+  const char* label;
+  const char* name;
+  ImU32 colour;
+};
+constexpr PassLook kPassLooks[] = {
+    {Pass::geometry, "Fill", "geometry pass (Fill)", IM_COL32(86, 180, 233, 255)},
+    {Pass::lighting, "Light", "lighting pass (Light)", IM_COL32(240, 159, 40, 255)},
+    {Pass::combine, "Combine", "combine pass (Combine)", IM_COL32(52, 200, 160, 255)},
+    {Pass::display, "Show", "display transform (Show)", IM_COL32(222, 150, 196, 255)},
+};
+constexpr bool passes_in_order() {
+  for (size_t i = 0; i < std::size(kPassLooks); ++i)
+    if (kPassLooks[i].pass != static_cast<Pass>(i)) return false;
+  return std::size(kPassLooks) == static_cast<size_t>(Pass::display) + 1;
+}
+static_assert(passes_in_order());
+const PassLook& look_of(Pass pass) { return kPassLooks[static_cast<size_t>(pass)]; }
+
 ImVec4 colour(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
 
 void set_colours(ImGuiStyle& style) {
@@ -37,20 +57,9 @@ void set_colours(ImGuiStyle& style) {
 
 }  // namespace
 
-ImU32 pass_colour(Pass pass) {
-  switch (pass) {
-    case Pass::geometry: return IM_COL32(86, 180, 233, 255);
-    case Pass::lighting: return IM_COL32(240, 159, 40, 255);
-    case Pass::combine: return IM_COL32(52, 200, 160, 255);
-    case Pass::display: return IM_COL32(222, 150, 196, 255);
-  }
-  return kLine;
-}
-
-const char* pass_label(Pass pass) {
-  constexpr const char* kLabels[] = {"Fill", "Light", "Combine", "Show"};
-  return kLabels[static_cast<int>(pass)];
-}
+ImU32 pass_colour(Pass pass) { return look_of(pass).colour; }
+const char* pass_label(Pass pass) { return look_of(pass).label; }
+const char* pass_name(Pass pass) { return look_of(pass).name; }
 
 Type type_for(float scale) {
   const auto px = [scale](float at_one) { return std::max(9.0f, std::round(at_one * scale)); };

@@ -20,6 +20,7 @@ inline constexpr const char* kUnsoundSign = "⚠";
 
 // Okabe and Ito 2008, Color Universal Design: sky blue, orange, bluish green (lightened), reddish purple (lightened).
 ImU32 pass_colour(Pass);
+const char* pass_name(Pass);   // "geometry pass (Fill)"
 const char* pass_label(Pass);  // Fill, Light, Combine, Show
 
 // Text sizes in pixels.

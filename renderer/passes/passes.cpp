@@ -31,6 +31,19 @@ glm::vec4 drawn_bounds(const Frame& frame, const Light& light) {
   return {b.from - half_pixel, b.to + half_pixel};
 }
 
+// The same question where depth runs the other way.
+gl::DepthTest mirrored(gl::DepthTest test) {
+  switch (test) {
+    case gl::DepthTest::less: return gl::DepthTest::greater;
+    case gl::DepthTest::less_equal: return gl::DepthTest::greater_equal;
+    case gl::DepthTest::greater: return gl::DepthTest::less;
+    case gl::DepthTest::greater_equal: return gl::DepthTest::less_equal;
+    case gl::DepthTest::off:
+    case gl::DepthTest::equal: break;
+  }
+  return test;
+}
+
 }  // namespace
 
 void begin_drawing(const gl::Framebuffer& framebuffer, glm::ivec2 size, const gl::PassState& state) {
@@ -40,11 +53,8 @@ void begin_drawing(const gl::Framebuffer& framebuffer, glm::ivec2 size, const gl
 }
 
 gl::PassState depth_tested(const Frame& frame, gl::DepthTest test, gl::PassState state) {
-  using gl::DepthTest;
   const bool reversed = frame.depth_runs() == DepthRuns::reversed;
-  constexpr DepthTest kReversed[] = {DepthTest::off,   DepthTest::greater, DepthTest::greater_equal,
-                                     DepthTest::equal, DepthTest::less,    DepthTest::less_equal};
-  state.depth = reversed ? kReversed[static_cast<int>(test)] : test;
+  state.depth = reversed ? mirrored(test) : test;
   state.zero_to_one = reversed;
   return state;
 }

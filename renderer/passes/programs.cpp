@@ -18,9 +18,26 @@ std::string constant_name(const char* prefix, const char* id) {
   return name;
 }
 
-constexpr const char* kStoresNames[] = {
-    "material", "normal",   "reflectance", "emission", "ambient",       "shininess",
-    "id",       "position", "depth",       "light",    "diffuse-light", "specular-light"};
+// The define that holds the draw buffer of what the geometry pass writes; null: it never does, or in no draw buffer.
+const char* draw_buffer_name(Stores what) {
+  switch (what) {
+    case Stores::material: return "STORED_MATERIAL";
+    case Stores::normal: return "STORED_NORMAL";
+    case Stores::reflectance: return "STORED_REFLECTANCE";
+    case Stores::emission: return "STORED_EMISSION";
+    case Stores::ambient: return "STORED_AMBIENT";
+    case Stores::shininess: return "STORED_SHININESS";
+    case Stores::id: return "STORED_ID";
+    case Stores::position: return "STORED_POSITION";
+    case Stores::light: return "STORED_LIGHT";
+    case Stores::depth:
+    case Stores::diffuse_light:
+    case Stores::specular_light:
+    case Stores::light_depth:
+    case Stores::lit: break;
+  }
+  return nullptr;
+}
 
 void append_mistakes(gl::Defines& out, const Settings& s, MistakeIn where) {
   for (const MistakeRow& m : mistakes())
@@ -45,7 +62,6 @@ void append_encoding(gl::Defines& out, NormalEncoding e) {
 // Every program sees these constants.
 void append_common(gl::Defines& out) {
   out.push_back({"MATERIAL_VIEW_ROUGHNESS", static_cast<int>(MaterialView::roughness)});
-  for (const ViewRow& v : views()) out.push_back({constant_name("VIEW_", v.id), static_cast<int>(v.view)});
   out.push_back({"OUTPUT_SPLIT", static_cast<int>(LightOutput::split)});
   out.push_back({"OUTPUT_SUM", static_cast<int>(LightOutput::sum)});
   out.push_back({"OUTPUT_COUNT", static_cast<int>(LightOutput::count)});
@@ -73,8 +89,8 @@ gl::Defines gbuffer_defines(const Settings& s) {
   append_axis(out, "SHADING_MODEL", "MODEL_", s.shading.model);
   int draw_buffer = 0;
   for (const Attachment& a : attachments(s))
-    if (a.written_by == Pass::geometry && a.stores != Stores::depth)
-      out.push_back({constant_name("STORED_", kStoresNames[static_cast<int>(a.stores)]), draw_buffer++});
+    if (const char* name = a.written_by == Pass::geometry ? draw_buffer_name(a.stores) : nullptr)
+      out.push_back({name, draw_buffer++});
   out.push_back({"MATERIAL_WORDS", layout.words && shading == Shading::deferred});
   out.push_back({"MATERIAL_FLOATS", layout.floats});
   out.push_back({"NORMAL_IN_MATERIAL", normal_in_material(s)});

@@ -19,7 +19,7 @@ gl::Defines error_defines(const Frame& frame, ErrorOf chosen) {
 
 void draw_reference(const Frame& frame, const TruthTextures& truth) {
   gl::bind_texture("truth_lit", truth.lit);
-  glUseProgram(frame.programs.get("fullscreen.vert", "truth.frag", frame.defines()).id());
+  glUseProgram(frame.programs.get("fullscreen.vert", shader_of(View::reference), frame.defines()).id());
   frame.shapes.draw_fullscreen();
 }
 
@@ -29,11 +29,11 @@ void colour_errors(const Frame& frame, double range) {
   const int count = static_cast<int>(stops.size());
   gl::bind_texture("errors", frame.targets.errors().texture);
   const gl::Program& program =
-      frame.programs.get("fullscreen.vert", "error_colour.frag", {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
+      frame.programs.get("fullscreen.vert", shader_of(View::error), {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
   glUseProgram(program.id());
   glUniform3fv(program.uniform("stops"), count, glm::value_ptr(stops[0]));
   glUniform1f(program.uniform("range"), static_cast<float>(range));
-  glUniform3fv(program.uniform("sky_colour"), 1, glm::value_ptr(kSkyColour));
+  glUniform3fv(program.uniform("empty_colour"), 1, glm::value_ptr(row(View::error).empty_colour));
   frame.shapes.draw_fullscreen();
 }
 

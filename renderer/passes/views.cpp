@@ -28,12 +28,6 @@ void draw_wires(const Frame& frame, VolumeShape shape) {
   }
 }
 
-// Dark where light is summed, the sky's own colour where a surface is described.
-glm::vec3 sky_of(View view) {
-  const bool light = view == View::diffuse_light || view == View::specular_light || counted(view);
-  return light ? glm::vec3(0) : kSkyColour;
-}
-
 }  // namespace
 
 void draw_volume_wires(const Frame& frame, Canvas& into) {
@@ -51,7 +45,7 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.view(view));
   gl::Defines defines = frame.defines();
   defines.push_back({"SPLIT", frame.split()});
-  defines.push_back({"VIEW", static_cast<int>(view)});
+  defines.push_back({"VIEW_FILE", shader_of(view)});
   defines.push_back({"RAW", options.raw});
   const gl::Program& program = programs_.get("fullscreen.vert", "views.frag", defines);
   Canvas& canvas = targets.view(view);
@@ -59,10 +53,10 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture("lit", view == View::final ? targets.shown() : *targets.texture(Stores::lit));
+  gl::bind_texture("lit", row(view).with_transparent ? targets.shown() : *targets.texture(Stores::lit));
   if (counted(view)) gl::bind_texture("counts", targets.counts().texture);
   glUseProgram(program.id());
-  glUniform3fv(program.find_uniform("sky_colour"), 1, glm::value_ptr(sky_of(view)));
+  glUniform3fv(program.find_uniform("empty_colour"), 1, glm::value_ptr(row(view).empty_colour));
   glUniform1iv(program.find_uniform("wasted_from"), kLightCountColours, kWastedFrom);
   glUniform3fv(program.find_uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
   shapes_.draw_fullscreen();

@@ -176,6 +176,22 @@ TEST_F(Programs, AMistakeAfterALongLogIsFound) {
   EXPECT_NE(error.find("the_last_mistake"), std::string::npos) << error;
 }
 
+// A layout's or a view's file is named by a define (`#include LAYOUT_FILE`).
+TEST_F(Programs, AFileNamedByADefineIsIncludedAndAMissingDefineIsNamedWithItsPlace) {
+  const gl::Defines both = {{"LAYOUT_FILE", "layouts/nclgl.glsl"}, {"VIEW_FILE", "views/depth.glsl"}};
+  const gl::ShaderText text = gl::load_shader("views.frag", both);
+  for (const char* file : {"shaders/layouts/nclgl.glsl", "shaders/views/depth.glsl"})
+    EXPECT_NE(std::find(text.files.begin(), text.files.end(), file), text.files.end()) << file;
+  try {
+    gl::load_shader("views.frag", {both[1]});
+    FAIL();
+  } catch (const Error& e) {
+    const std::string what = e.what();
+    EXPECT_NE(what.find("shaders/packing.glsl:"), std::string::npos) << what;
+    EXPECT_NE(what.find("#include LAYOUT_FILE: no such define"), std::string::npos) << what;
+  }
+}
+
 TEST_F(Programs, StagesThatDoNotFitTogetherSayWhere) {
   const gl::ShaderText vertex{"fits.vert", "out vec2 passed_on;\nvoid main() { passed_on = vec2(1.0); }\n"};
   const gl::ShaderText fragment{"not.frag", "in vec4 passed_on;\nout vec4 c;\nvoid main() { c = passed_on; }\n"};

@@ -13,13 +13,13 @@ TEST_F(ShaderVariants, EveryViewCompilesForEveryValue) {
   for (const Axis& axis : all_axes())
     for (const Choice& c : axis) {
       const Settings s = resolve(settings_of({c}, {8, 4}), yard().scene()).settings;
-      for (const ViewRow& v : views())
+      for (const View v : frame_views())
         for (const int raw : {0, 1}) {
           gl::Defines defines = gbuffer_defines(s);
           defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
-          defines.push_back({"VIEW", static_cast<int>(v.view)});
+          defines.push_back({"VIEW_FILE", shader_of(v)});
           defines.push_back({"RAW", raw});
-          ASSERT_NO_THROW(programs.get("fullscreen.vert", "views.frag", defines)) << v.id << " " << c.value->id;
+          ASSERT_NO_THROW(programs.get("fullscreen.vert", "views.frag", defines)) << row(v).id << " " << c.value->id;
         }
     }
   EXPECT_GE(programs.size(), 100u);
