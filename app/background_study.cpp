@@ -143,7 +143,7 @@ void BackgroundStudy::work(const Settings& now) {
   }
 }
 
-void BackgroundStudy::finish(Json row) {
+void BackgroundStudy::finish(StudyRow row) {
   Row done{std::move(row), measured_.settings};
   if (task_ == Task::study) {
     running_->rows.push_back(std::move(done));
@@ -192,11 +192,11 @@ void BackgroundStudy::show(const Settings& now) {
   shown_.settings.clear();
   shown_.current.reset();
   std::set<std::string> keys;
-  const auto add = [&](const Row& row) {
-    if (!keys.insert(row.json["key"].get<std::string>()).second) return;  // also tried by hand
-    if (row.settings == at_hand) shown_.current = shown_.rows.size();
-    shown_.rows.push_back(row.json);
-    shown_.settings.push_back(row.settings);
+  const auto add = [&](const Row& done) {
+    if (!keys.insert(done.row.key).second) return;  // also tried by hand
+    if (done.settings == at_hand) shown_.current = shown_.rows.size();
+    shown_.rows.push_back(done.row);
+    shown_.settings.push_back(done.settings);
   };
   const Run* run = run_here(study_, now);
   if (run)

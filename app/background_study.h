@@ -21,7 +21,7 @@ class BackgroundStudy : public BackgroundJob {
 
  private:
   struct Row {
-    Json json;
+    StudyRow row;
     Settings settings;  // as asked for
   };
   struct Run {
@@ -44,7 +44,7 @@ class BackgroundStudy : public BackgroundJob {
   void give_up();
   void work(const Settings& now);
   bool begin_next(const Settings& now);
-  void finish(Json row);
+  void finish(StudyRow row);
   Run* run_here(const std::string& study, const Settings& now);
   void show(const Settings& now);
   void show_progress(const Run*);

@@ -91,7 +91,7 @@ void Bench::judge() {
   errors_ = measure(truth_->truth, drawn_, display_of(settings_));
 }
 
-Json Bench::row() const { return study_row(report_, errors_, timing_, machine_); }
+MeasuredColumns Bench::row() const { return {cells_of({report_, errors_, timing_, machine_}), report_.drawn}; }
 
 double Bench::total_ms() const {
   const auto total = timing_.pass_ms.find("total");

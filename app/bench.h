@@ -3,7 +3,7 @@
 // In steps of a frame or less, with targets of its own, so that a window can go on drawing in between.
 #include "app/truth_keeper.h"
 #include "renderer/frame/estimate.h"
-#include "renderer/study/study_row.h"
+#include "renderer/study/rows/study_row.h"
 
 namespace gbl {
 
@@ -30,7 +30,7 @@ class Bench {
   void stop();  // gives the row up
 
   // Of the row that is complete.
-  Json row() const;
+  MeasuredColumns row() const;
   const Errors& errors() const { return errors_; }
   double total_ms() const;  // median; infinite if nothing was timed
   const FrameReport& report() const { return report_; }

@@ -1,21 +1,32 @@
 // `bench`: a study of one row, printed.
+#include <cmath>
 #include <fmt/format.h>
 
 #include "app/bench.h"
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
+#include "renderer/base/json.h"
+#include "renderer/options/settings_json.h"
+#include "renderer/study/row_json.h"
 
 namespace gbl {
 namespace {
 
-void print_text(const Json& row) {
-  for (const auto& [key, value] : row.items())
-    if (!value.is_null() && key != "settings")
-      fmt::print("{:<34} {}\n", key,
-                 value.is_number_float() ? fmt::format("{:.4g}", value.get<double>())
-                 : value.is_string()     ? value.get<std::string>()
-                                         : value.dump());
+void print_json(const MeasuredColumns& row) {
+  Json json;
+  append_cells(json, row.cells);
+  json["settings"] = to_json(row.drawn);
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const MeasuredColumns& row) {
+  for (const Cell& c : row.cells) {
+    const auto* n = std::get_if<Number>(&c.value);
+    const bool rounded = n && !n->whole && !std::isinf(n->value);
+    const std::string text = rounded ? fmt::format("{:.4g}", n->value) : cell_text(c.value);
+    if (!std::holds_alternative<std::monostate>(c.value)) fmt::print("{:<34} {}\n", c.column, text);
+  }
 }
 
 }  // namespace
@@ -30,9 +41,9 @@ ExitCode run_bench(const Arguments& a) {
   Bench bench(lab.renderer(), lab.cost(), lab.machine(), 1);
   bench.start(s, lab.gpu_scene(), {});
   bench.step(true);
-  const Json row = bench.row();
+  const MeasuredColumns row = bench.row();
   if (a.json)
-    fmt::print("{}\n", row.dump(2));
+    print_json(row);
   else
     print_text(row);
   return ExitCode::done;

@@ -59,7 +59,7 @@ void print_left_out(const StudyPlan& plan) {
   if (invalid > 5) fmt::print(stderr, "gbufferlab: and {} more cases that this device cannot draw\n", invalid - 5);
 }
 
-Json measured_columns(Lab& lab, Bench& bench, const Settings& s) {
+MeasuredColumns measured_columns(Lab& lab, Bench& bench, const Settings& s) {
   require_valid(s, lab.limits());
   lab.open(s.scene);
   bench.start(s, lab.gpu_scene(), {});

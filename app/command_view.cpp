@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/imgui_screen.h"

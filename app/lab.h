@@ -10,7 +10,7 @@
 #include "renderer/gl/device.h"
 #include "renderer/passes/frame.h"
 #include "renderer/picture/image.h"
-#include "renderer/study/study_row.h"
+#include "renderer/study/rows/study_row.h"
 #include "renderer/truth/error_stats.h"
 #include "ui/ui.h"
 

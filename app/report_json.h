@@ -1,7 +1,7 @@
 #pragma once
 // A frame's report as JSON, in the columns that studies use.
 #include "app/lab.h"
-#include "renderer/options/settings_json.h"
+#include "renderer/base/json_fwd.h"
 
 namespace gbl {
 

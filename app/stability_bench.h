@@ -4,8 +4,8 @@
 
 #include "app/truth_keeper.h"
 #include "renderer/gl/device.h"
+#include "renderer/study/rows/study_row.h"
 #include "renderer/study/stability/stability.h"
-#include "renderer/study/study_row.h"
 
 namespace gbl {
 

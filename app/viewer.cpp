@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/base/resources.h"

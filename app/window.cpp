@@ -4,6 +4,7 @@
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/base/error.h"
 

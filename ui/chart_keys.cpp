@@ -20,9 +20,9 @@ size_t neighbour(const List& list, Is is, bool back) {
   return at == n ? 0 : (at + (back ? n - 1 : 1)) % n;
 }
 
-std::string step_column(std::span<const ChartColumn> columns, const std::string& now, bool back) {
+std::string step_column(std::span<const StudyColumn> columns, const std::string& now, bool back) {
   return columns[neighbour(
-                     columns, [&](const ChartColumn& c) { return c.id == now; }, back)]
+                     columns, [&](const StudyColumn& c) { return c.id == now; }, back)]
       .id;
 }
 
@@ -131,7 +131,7 @@ void select_next(FrameContext& f, const KeyEvent& e) {
         std::upper_bound(order.begin(), order.end(), *from, [&](size_t a, size_t b) { return rank(a) < rank(b); });
     if (at != order.end()) next = static_cast<size_t>(at - order.begin());
   }
-  chart_of(f).selected = row_key_of(chart_input(f).rows[v.point(order[next]).row]);
+  chart_of(f).selected = chart_input(f).rows[v.point(order[next]).row].key;
 }
 
 void apply_selected(FrameContext& f, const KeyEvent&) {

@@ -1,6 +1,7 @@
 // F3: a study's set-ups as points, their errors up and their costs to the right, and the settings at hand among them.
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/base/size_text.h"
 #include "ui/chart_view.h"

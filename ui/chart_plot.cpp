@@ -182,7 +182,7 @@ void use_chart_mouse(FrameContext& f, const Plot& plot, const ChartView& v) {
   const std::optional<size_t> at = nearest(plot, v, io.MousePos, 2 * mark_radius(f.type) + 4);
   const bool moved_mouse =
       io.MouseDelta.x != 0 || io.MouseDelta.y != 0;  // at rest it leaves the arrow keys' choice alone
-  if (at && (moved_mouse || clicked)) f.state.chart.selected = row_key_of(chart_input(f).rows[v.point(*at).row]);
+  if (at && (moved_mouse || clicked)) f.state.chart.selected = chart_input(f).rows[v.point(*at).row].key;
   if (at && clicked && !dragged) apply_row(f, v.point(*at).row);
 }
 

@@ -14,7 +14,7 @@ constexpr FamilyPath kFamilies[] = {
 };
 
 // axis_for() gives a quality a linear axis and everything else a logarithmic one: the chooser's wish goes over that.
-ChartAxis axis_as(ChartColumn column, const std::vector<double>& values, std::optional<bool> logarithmic) {
+ChartAxis axis_as(StudyColumn column, const std::vector<double>& values, std::optional<bool> logarithmic) {
   if (logarithmic) column.more_is_better = !*logarithmic;
   return axis_for(column, values);
 }
@@ -69,11 +69,6 @@ const ChartInput& chart_input(const FrameContext& f) {
   return f.input.chart ? *f.input.chart : kNothing;
 }
 
-std::string row_key_of(const Json& row) {
-  const auto it = row.find("key");
-  return it != row.end() && it->is_string() ? it->get<std::string>() : "";
-}
-
 bool family_on(const ChartState& s, const std::string& family) { return !s.hidden.contains(family); }
 
 void toggle_family(ChartState& s, const std::string& family) {
@@ -90,7 +85,7 @@ ChartView chart_view(const FrameContext& f) {
     if (in.current == p.row) v.current = i;
     if (!family_on(s, p.family)) continue;
     v.shown.push_back(i);
-    if (!s.selected.empty() && row_key_of(in.rows[p.row]) == s.selected) v.selected = i;
+    if (!s.selected.empty() && in.rows[p.row].key == s.selected) v.selected = i;
   }
   v.families = families_of(v.chart, kFamilies[s.family].path);
   v.front = front_of(v);

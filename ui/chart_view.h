@@ -32,7 +32,6 @@ struct ChartView {
 const ChartInput& chart_input(const FrameContext&);  // an empty one where nothing is ever measured
 ChartView chart_view(const FrameContext&);
 
-std::string row_key_of(const Json& row);
 bool family_on(const ChartState&, const std::string& family);
 void toggle_family(ChartState&, const std::string& family);
 void apply_row(FrameContext&, size_t index);  // of the input: all that is no size, view, time, nor this scene's camera

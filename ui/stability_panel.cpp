@@ -1,6 +1,7 @@
 // F4: one parameter moved through the place where a method breaks: a curve per method, and what is stated of each.
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "ui/stability_view.h"
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "renderer/base/json.h"
 #include "renderer/frame/frame_report.h"
 #include "renderer/inspect/views.h"
 #include "renderer/lessons/lessons.h"
@@ -16,6 +15,7 @@
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 #include "renderer/study/advice/advisor.h"
+#include "renderer/study/rows/study_row.h"
 #include "renderer/study/stability/stability.h"
 #include "renderer/study/study_spec.h"
 #include "renderer/truth/error_stats.h"
@@ -49,7 +49,7 @@ struct ChartInput {
     std::string x, y, family;  // of its chart, unless another is asked for
   };
   std::vector<Study> studies;      // that can run here
-  std::vector<Json> rows;          // as renderer/study/study.h makes them, failed ones among them
+  std::vector<StudyRow> rows;      // as renderer/study/study.h makes them, failed ones among them
   std::vector<Settings> settings;  // of each row, as asked for
   std::optional<size_t> current;   // the row of the settings at hand; empty: not measured yet
   bool measuring = false;          // the settings at hand are being measured

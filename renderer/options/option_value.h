@@ -2,6 +2,7 @@
 // What an option is set to: a number, a text (ids among them), or a list of these. JSON becomes one, and one becomes
 // JSON, in settings_json.cpp; nothing in between knows of it.
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -10,9 +11,9 @@ namespace gbl {
 // Equal by its value; `whole` says how it is written: 64, not 64.0.
 struct Number {
   Number() = default;
-  Number(double v) : value(v) {}
-  Number(int v) : value(v), whole(true) {}
-  Number(unsigned v) : value(v), whole(true) {}
+  template <class T>
+  requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) Number(T v)
+      : value(static_cast<double>(v)), whole(std::is_integral_v<T>) {}
   bool operator==(const Number& other) const { return value == other.value; }
   double value = 0;
   bool whole = false;
@@ -32,6 +33,7 @@ struct OptionValue : std::variant<Number, std::string, Unfit, OptionList> {
 
 // As a settings file has it: "volumes" in quotes, 64, 0.5, [1.0, 2.0]. Bytes that are not UTF-8 are replaced.
 std::string written(const OptionValue&);
-bool writable(const std::string&);  // false: not UTF-8, and no file of settings could hold it
+std::string plain(const OptionValue&);  // a text without its quotes
+bool writable(const std::string&);      // false: not UTF-8, and no file of settings could hold it
 
 }  // namespace gbl

@@ -35,6 +35,7 @@ const Option& option(std::string_view path);  // Error with the nearest paths if
 struct Assignment {
   std::string path;
   OptionValue value;
+  bool operator==(const Assignment&) const = default;
 };
 // All or nothing: Error(bad_input) begins with `where`.
 void apply_patch(Settings&, const std::vector<Assignment>&, std::string_view where);

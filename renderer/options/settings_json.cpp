@@ -110,6 +110,11 @@ std::string written(const OptionValue& value) {
   return fmt::format("[{}]", parts);
 }
 
+std::string plain(const OptionValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text ? *text : written(value);
+}
+
 bool writable(const std::string& text) {
   try {
     static_cast<void>(Json(text).dump());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -14,7 +13,7 @@
 #include <unistd.h>
 
 #include "renderer/base/error.h"
-#include "renderer/options/settings_json.h"
+#include "renderer/study/row_json.h"
 
 namespace gbl {
 namespace {
@@ -22,22 +21,6 @@ namespace {
 [[noreturn]] void cannot_write(const std::filesystem::path& path, int error) {
   throw Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", std::strerror(error)),
               "make room or choose another folder, then run the study again: rows that are done are kept");
-}
-
-// Fowler, Noll and Vo: FNV-1a, 64 bits.
-uint64_t fnv1a(std::string_view text) {
-  uint64_t hash = 0xcbf29ce484222325ull;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return hash;
-}
-
-bool failed(const Json& row) { return row.contains("failed"); }
-
-// A row is an object with a key.
-std::optional<Json> parse_row(std::string_view line) {
-  Json row = Json::parse(line, nullptr, false);
-  const bool good = row.is_object() && row.contains("key") && row["key"].is_string();
-  return good ? std::optional(std::move(row)) : std::nullopt;
 }
 
 int open_to_append(const std::filesystem::path& path) {
@@ -58,12 +41,6 @@ int open_to_append(const std::filesystem::path& path) {
 }
 
 }  // namespace
-
-std::string row_key(const Settings& s) {
-  Json json = to_json(s);
-  json.erase("view");
-  return fmt::format("{:016x}", fnv1a(json.dump()));
-}
 
 Journal::Journal(std::filesystem::path path) : path_(std::move(path)), file_(open_to_append(path_)) {
   try {
@@ -86,9 +63,10 @@ void Journal::read() {
   for (size_t begin = 0; begin < all.size(); ++line) {
     const size_t end = all.find('\n', begin);
     const bool whole = end != std::string::npos, last = !whole || end + 1 == all.size();
-    auto row = whole ? parse_row(std::string_view(all).substr(begin, end - begin)) : std::nullopt;
+    const std::string where = fmt::format("{}:{}", path_.string(), line);
+    auto row = whole ? parse_journal_line(std::string_view(all).substr(begin, end - begin), where) : std::nullopt;
     if (!row && !last)
-      throw Error(ExitCode::bad_input, fmt::format("{}:{}", path_.string(), line), "is not a row of a study",
+      throw Error(ExitCode::bad_input, where, "is not a row of a study",
                   "delete this line: its case is measured again");
     if (!row) {
       if (::ftruncate(file_, static_cast<off_t>(begin)) != 0) cannot_write(path_, errno);
@@ -99,21 +77,21 @@ void Journal::read() {
   }
 }
 
-void Journal::take(Json row) {
-  const auto [it, is_new] = by_key_.emplace(row["key"].get<std::string>(), rows_.size());
+void Journal::take(StudyRow row) {
+  const auto [it, is_new] = by_key_.emplace(row.key, rows_.size());
   if (is_new)
     rows_.push_back(std::move(row));
-  else if (failed(rows_[it->second]))
+  else if (rows_[it->second].failed)
     rows_[it->second] = std::move(row);
 }
 
 bool Journal::has(std::string_view key) const {
   const auto it = by_key_.find(key);
-  return it != by_key_.end() && !failed(rows_[it->second]);
+  return it != by_key_.end() && !rows_[it->second].failed;
 }
 
-void Journal::append(const Json& row) {
-  const std::string line = row.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+void Journal::append(const StudyRow& row) {
+  const std::string line = journal_line(row);
   struct stat before {};
   if (::fstat(file_, &before) != 0) cannot_write(path_, errno);
   errno = 0;
@@ -125,7 +103,7 @@ void Journal::append(const Json& row) {
     static_cast<void>(::ftruncate(file_, before.st_size) + 0);
     cannot_write(path_, error);
   }
-  take(Json::parse(line));
+  take(*parse_journal_line(line, path_.string()));  // as the next run will find it
 }
 
 }  // namespace gbl

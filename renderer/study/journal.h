@@ -7,13 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/base/json.h"
-#include "renderer/options/options.h"
+#include "renderer/study/rows/study_row.h"
 
 namespace gbl {
-
-// 16 hex digits of the settings asked for, what is looked at left out: equal on every machine.
-std::string row_key(const Settings&);
 
 class Journal {
  public:
@@ -26,19 +22,19 @@ class Journal {
 
   // Has this key been measured? A row that failed has not: it is tried again.
   bool has(std::string_view key) const;
-  // One whole line, on the disk when this returns. The row has a member "key".
+  // One whole line, on the disk when this returns.
   // Error(unfinished) if it cannot be kept, and then nothing of it is.
-  void append(const Json& row);
+  void append(const StudyRow& row);
   // One row per key, in the order in which the keys first came: the first that was measured, else the last that failed.
-  const std::vector<Json>& rows() const { return rows_; }
+  const std::vector<StudyRow>& rows() const { return rows_; }
 
  private:
   void read();
-  void take(Json row);
+  void take(StudyRow row);
 
   std::filesystem::path path_;
   int file_ = -1;
-  std::vector<Json> rows_;
+  std::vector<StudyRow> rows_;
   std::map<std::string, size_t, std::less<>> by_key_;
 };
 

@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "renderer/base/json.h"
-#include "renderer/options/settings_json.h"
+#include "renderer/study/row_json.h"
 
 namespace gbl {
 namespace {
@@ -21,7 +20,7 @@ struct Todo {
 };
 
 // Empty: the study is to stop.
-std::optional<Json> measured(const StudyPlan& plan, const Todo& todo, const RowFn& measure) {
+std::optional<StudyRow> measured(const StudyPlan& plan, const Todo& todo, const RowFn& measure) {
   std::string reason;
   try {
     return measured_row(plan.study, *todo.study_case, measure(*todo.study_case));
@@ -34,31 +33,14 @@ std::optional<Json> measured(const StudyPlan& plan, const Todo& todo, const RowF
   return failed_row(plan.study, *todo.study_case, reason);
 }
 
-// What makes a row findable comes first: a line of the journal can be read by its beginning.
-Json head(const std::string& study, const StudyCase& c) {
-  Json row;
-  row["study"] = study;
-  row["case"] = c.id;
-  row["key"] = row_key(c.settings);
-  row["at"] = Json::object();
-  for (const Coordinate& at : c.at) row["at"][at.path] = to_json(at.value);
-  return row;
-}
-
 }  // namespace
 
-Json measured_row(const std::string& study, const StudyCase& c, const Json& columns) {
-  Json row = head(study, c);
-  for (const auto& [name, value] : columns.items())
-    if (!row.contains(name)) row[name] = value;
-  return row;
+StudyRow measured_row(const std::string& study, const StudyCase& c, MeasuredColumns m) {
+  return {study, c.id, row_key(c.settings), c.at, {}, std::move(m.cells), std::move(m.drawn)};
 }
 
-Json failed_row(const std::string& study, const StudyCase& c, const std::string& reason) {
-  Json row = head(study, c);
-  row["failed"] = reason;
-  row["settings"] = to_json(c.settings);
-  return row;
+StudyRow failed_row(const std::string& study, const StudyCase& c, const std::string& reason) {
+  return {study, c.id, row_key(c.settings), c.at, reason, {}, c.settings};
 }
 
 Shard parse_shard(std::string_view text) {
@@ -100,12 +82,11 @@ StudyCounts run_study(const StudyPlan& plan, Shard shard, Journal& journal, cons
     if (cancel) break;
     report_next(t.study_case);
     const auto begin = Clock::now();
-    const std::optional<Json> row = measured(plan, t, measure);
+    const std::optional<StudyRow> row = measured(plan, t, measure);
     if (!row) break;
     journal.append(*row);
-    const bool failed = row->contains("failed");
-    ++(failed ? counts.failed : counts.measured);
-    if (!failed) spent_s += seconds_since(begin);
+    ++(row->failed ? counts.failed : counts.measured);
+    if (!row->failed) spent_s += seconds_since(begin);
   }
   counts.left = todo.size() - counts.measured - counts.failed;
   report_next(nullptr);

@@ -31,14 +31,14 @@ struct StudyCounts {
   size_t left = 0;                  // not come to: it was cancelled
 };
 
-// Measures a case: all columns of a row. What it throws is the row's reason to have failed; with
+// Measures a case. What it throws is the row's reason to have failed; with
 // ExitCode::interrupted the study stops there instead.
-using RowFn = std::function<Json(const StudyCase&)>;
+using RowFn = std::function<MeasuredColumns(const StudyCase&)>;
 using ProgressFn = std::function<void(const StudyProgress&)>;  // before each case and at the end
 
 // A row of a case: where it stands in its study, then its columns or why there are none.
-Json measured_row(const std::string& study, const StudyCase&, const Json& columns);
-Json failed_row(const std::string& study, const StudyCase&, const std::string& reason);
+StudyRow measured_row(const std::string& study, const StudyCase&, MeasuredColumns);
+StudyRow failed_row(const std::string& study, const StudyCase&, const std::string& reason);
 
 // Stops between two rows when `cancel` is set. Errors of the journal are thrown on: a row that cannot be kept need not
 // be measured.

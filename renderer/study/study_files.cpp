@@ -1,13 +1,14 @@
 #include "renderer/study/study_files.h"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
+#include <set>
 
 #include "renderer/base/error.h"
 #include "renderer/base/json.h"
-#include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
+#include "renderer/study/row_json.h"
 
 namespace gbl {
 namespace {
@@ -15,83 +16,94 @@ namespace {
 constexpr int kStudyFileVersion = 1;
 
 // ---- study.csv --------------------------------------------------------------------------------------------
-std::string cell(const Json& value) {
-  std::string text = value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump();
+std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
   return out + "\"";
 }
 
-// The value at a dotted path of nested objects; null if it is not there.
-Json nested(const Json& node, std::string_view path) {
-  const size_t dot = path.find('.');
-  const auto it = node.is_object() ? node.find(std::string(path.substr(0, dot))) : node.end();
-  if (!node.is_object() || it == node.end()) return nullptr;
-  return dot == std::string_view::npos ? *it : nested(*it, path.substr(dot + 1));
-}
-
-struct Column {
+struct CsvColumn {
   std::string name;
-  enum class In { row, at, settings } in;
+  std::function<std::string(const StudyRow&)> cell;
 };
 
-void add_once(std::vector<Column>& list, const std::string& name, Column::In in) {
-  for (const Column& c : list)
-    if (c.name == name) return;
-  list.push_back({name, in});
+class CsvColumns {
+ public:
+  void add_once(const std::string& name, std::function<std::string(const StudyRow&)> cell) {
+    if (names_.insert(name).second) list_.push_back({name, std::move(cell)});
+  }
+  std::vector<CsvColumn> take() { return std::move(list_); }
+
+ private:
+  std::set<std::string> names_;
+  std::vector<CsvColumn> list_;
+};
+
+std::string at_path(const StudyRow& row, const std::string& path) {
+  for (const Assignment& a : row.at)
+    if (a.path == path) return plain(a.value);
+  return "";
+}
+
+std::string in_column(const StudyRow& row, const std::string& column, const std::string& otherwise = "") {
+  for (const Cell& c : row.cells)
+    if (c.column == column) return cell_text(c.value);
+  return otherwise;
 }
 
 // What a row is called, its coordinates, what was measured, its settings. Rows differ: not every method has every pass.
-std::vector<Column> columns_of(const std::vector<Json>& rows) {
-  std::vector<Column> list = {{"study", Column::In::row}, {"case", Column::In::row}, {"key", Column::In::row}};
-  for (const Json& row : rows)
-    if (row.contains("at") && row["at"].is_object())
-      for (const auto& [path, value] : row["at"].items()) add_once(list, "at." + path, Column::In::at);
-  for (const Json& row : rows)
-    for (const auto& [name, value] : row.items())
-      if (name != "at" && name != "settings") add_once(list, name, Column::In::row);
-  add_once(list, "driver", Column::In::row);
-  add_once(list, "device", Column::In::row);
-  for (const Option& o : options())
-    if (o.group != Group::view) add_once(list, o.path, Column::In::settings);
-  return list;
-}
-
-Json value_of(const Json& row, const Column& c, const Machine& machine) {
-  switch (c.in) {
-    case Column::In::at: return row.contains("at") ? row["at"].value(c.name.substr(3), Json()) : Json();
-    case Column::In::settings: return row.contains("settings") ? nested(row["settings"], c.name) : Json();
-    case Column::In::row: break;
+std::vector<CsvColumn> csv_columns(const std::vector<StudyRow>& rows, const Machine& machine) {
+  CsvColumns list;
+  list.add_once("study", [](const StudyRow& r) { return r.study; });
+  list.add_once("case", [](const StudyRow& r) { return r.name; });
+  list.add_once("key", [](const StudyRow& r) { return r.key; });
+  for (const StudyRow& row : rows)
+    for (const Assignment& a : row.at)
+      list.add_once("at." + a.path, [path = a.path](const StudyRow& r) { return at_path(r, path); });
+  const auto driver = [&](const StudyRow& r) { return in_column(r, "driver", machine.driver); };
+  const auto device = [&](const StudyRow& r) { return in_column(r, "device", machine.device); };
+  for (const StudyRow& row : rows) {
+    if (row.failed) list.add_once("failed", [](const StudyRow& r) { return r.failed.value_or(""); });
+    for (const Cell& c : row.cells)
+      if (c.column == "driver")
+        list.add_once("driver", driver);
+      else if (c.column == "device")
+        list.add_once("device", device);
+      else
+        list.add_once(c.column, [name = c.column](const StudyRow& r) { return in_column(r, name); });
   }
-  if (row.contains(c.name)) return row[c.name];
-  return c.name == "driver" ? Json(machine.driver) : c.name == "device" ? Json(machine.device) : Json();
+  list.add_once("driver", driver);
+  list.add_once("device", device);
+  for (const Option& o : options())
+    if (o.group != Group::view) list.add_once(o.path, [&o](const StudyRow& r) { return plain(o.get(r.settings)); });
+  return list.take();
 }
 
 // ---- study.svg, study.png ---------------------------------------------------------------------------------
 // The one value that all rows share, or what there is instead.
-std::string common_value(const std::vector<Json>& rows, const char* name, const char* several) {
+std::string common_text(const std::vector<StudyRow>& rows, const char* column, const char* several) {
   std::string found;
-  for (const Json& row : rows) {
-    if (!row.contains(name) || !row[name].is_string()) continue;
-    const auto value = row[name].get<std::string>();
-    if (!found.empty() && found != value) return several;
-    found = value;
+  for (const StudyRow& row : rows) {
+    const std::string text = row.text(column);
+    if (text.empty()) continue;
+    if (!found.empty() && found != text) return several;
+    found = text;
   }
   return found;
 }
 
-std::string subtitle_of(const std::vector<Json>& rows, const Chart& chart, const Machine& machine) {
-  const std::string device = common_value(rows, "device", "several devices");
+std::string subtitle_of(const std::vector<StudyRow>& rows, const Chart& chart, const Machine& machine) {
+  const std::string device = common_text(rows, "device", "several devices");
   std::string text = device.empty() ? machine.device : device;
-  text += ", " + common_value(rows, "size", "several sizes") + " pixels";
-  text += ", times by " + common_value(rows, "time_source", "several sources");
+  text += ", " + common_text(rows, "size", "several sizes") + " pixels";
+  text += ", times by " + common_text(rows, "time_source", "several sources");
   if (chart.without_value > 0) text += fmt::format("; rows without these numbers: {}", chart.without_value);
   if (chart.failed > 0) text += fmt::format("; rows that failed: {}", chart.failed);
   return text;
 }
 
-void write_charts(const std::filesystem::path& folder, const StudySpec& spec, const std::vector<Json>& rows,
+void write_charts(const std::filesystem::path& folder, const StudySpec& spec, const std::vector<StudyRow>& rows,
                   const Machine& machine) {
   const Chart chart = chart_points(rows, spec.x, spec.y, spec.family);
   if (chart.points.empty())
@@ -105,28 +117,29 @@ void write_charts(const std::filesystem::path& folder, const StudySpec& spec, co
 
 }  // namespace
 
-std::string study_csv(const std::vector<Json>& rows, const Machine& machine) {
-  const std::vector<Column> columns = columns_of(rows);
+std::string study_csv(const std::vector<StudyRow>& rows, const Machine& machine) {
+  const std::vector<CsvColumn> columns = csv_columns(rows, machine);
   std::string text;
-  for (const Column& c : columns) text += (&c == columns.data() ? "" : ",") + cell(c.name);
+  for (const CsvColumn& c : columns) text += (&c == columns.data() ? "" : ",") + quoted(c.name);
   text += "\r\n";
-  for (const Json& row : rows) {
-    for (const Column& c : columns) text += (&c == columns.data() ? "" : ",") + cell(value_of(row, c, machine));
+  for (const StudyRow& row : rows) {
+    for (const CsvColumn& c : columns) text += (&c == columns.data() ? "" : ",") + quoted(c.cell(row));
     text += "\r\n";
   }
   return text;
 }
 
-Json study_json(const StudySpec& spec, const std::vector<Json>& rows, const Machine& machine) {
+Json study_json(const StudySpec& spec, const std::vector<StudyRow>& rows, const Machine& machine) {
   Json json;
   json["version"] = kStudyFileVersion;
   json["spec"] = *spec.json;
   json["machine"] = {{"driver", machine.driver}, {"device", machine.device}};
-  json["rows"] = rows;
+  json["rows"] = Json::array();
+  for (const StudyRow& row : rows) json["rows"].push_back(to_json(row));
   return json;
 }
 
-void write_study_files(const std::filesystem::path& folder, const StudySpec& spec, const std::vector<Json>& rows,
+void write_study_files(const std::filesystem::path& folder, const StudySpec& spec, const std::vector<StudyRow>& rows,
                        const Machine& machine) {
   make_folder(folder);
   write_text_file(folder / "study.csv", study_csv(rows, machine));

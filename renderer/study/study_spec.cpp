@@ -9,7 +9,7 @@
 #include "renderer/base/resources.h"
 #include "renderer/options/data_file.h"
 #include "renderer/options/settings_json.h"
-#include "renderer/study/charts/chart.h"
+#include "renderer/study/rows/study_columns.h"
 
 namespace gbl {
 namespace {

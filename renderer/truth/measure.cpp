@@ -16,16 +16,16 @@ constexpr double kRelmseDark = 0.01;  // keeps the relative error of black finit
 
 // clang-format off
 constexpr ErrorColumn kColumns[] = {
-    {"over_1_255_display", "", "share of pixels off by more than 1/255 as displayed", &Errors::over_1_255_display},
-    {"over_half_255_display", "", "share of pixels off by more than 0.5/255 as displayed", &Errors::over_half_255_display},
-    {"over_1_255_linear", "", "share of pixels off by more than 1/255 of radiance", &Errors::over_1_255_linear},
+    {"over_1_255_display", "", "share of pixels off by more than 1/255 as displayed", &Errors::over_1_255_display, ErrorKind::share},
+    {"over_half_255_display", "", "share of pixels off by more than 0.5/255 as displayed", &Errors::over_half_255_display, ErrorKind::share},
+    {"over_1_255_linear", "", "share of pixels off by more than 1/255 of radiance", &Errors::over_1_255_linear, ErrorKind::share},
     {"max_linear", "radiance", "largest difference of a channel", &Errors::max_linear},
     {"p99_linear", "radiance", "99th percentile of it", &Errors::p99_linear},
     {"rmse_linear", "radiance", "root mean square", &Errors::rmse_linear},
     {"mae_linear", "radiance", "mean absolute difference", &Errors::mae_linear},
-    {"signed_mean_linear", "radiance", "mean difference: dark is negative", &Errors::signed_mean_linear},
+    {"signed_mean_linear", "radiance", "mean difference: dark is negative", &Errors::signed_mean_linear, ErrorKind::bias},
     {"relmse_linear", "", "mean squared difference over squared radiance + 0.01", &Errors::relmse_linear},
-    {"psnr_display", "dB", "peak signal-to-noise ratio as displayed", &Errors::psnr_display},
+    {"psnr_display", "dB", "peak signal-to-noise ratio as displayed", &Errors::psnr_display, ErrorKind::quality},
     {"flip_mean", "", "mean perceptual difference (Andersson et al. 2020)", &Errors::flip_mean},
     {"normal_deg_mean", "degrees", "angle to the true normal, mean", &Errors::normal_deg_mean},
     {"normal_deg_p50", "degrees", "median", &Errors::normal_deg_p50},
@@ -38,7 +38,7 @@ constexpr ErrorColumn kColumns[] = {
     {"lost_pixels", "", "pixels with less than half their light", &Errors::lost_pixels},
     {"doubled_pixels", "", "pixels with more than one and a half times their light", &Errors::doubled_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
-    {"compared_pixels", "", "pixels with a surface: those that are judged", &Errors::compared_pixels},
+    {"compared_pixels", "", "pixels with a surface: those that are judged", &Errors::compared_pixels, ErrorKind::basis},
 };
 // clang-format on
 

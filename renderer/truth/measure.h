@@ -30,11 +30,20 @@ struct Errors {
   std::optional<double> compared_pixels;  // with a surface
 };
 
+enum class ErrorKind {
+  distance,  // from the truth: less is better
+  share,     // of the compared pixels
+  bias,      // with a sign; the nearer to 0 the better
+  quality,   // more is better
+  basis      // says how many were judged, not how
+};
+
 struct ErrorColumn {
   const char* id;
   const char* unit;  // "" = a share or a count
   const char* help;
   std::optional<double> Errors::*value;
+  ErrorKind kind = ErrorKind::distance;
 };
 std::span<const ErrorColumn> error_columns();
 

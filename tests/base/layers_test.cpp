@@ -67,6 +67,7 @@ const char* const kRooms[] = {
     "renderer/inspect",
     "renderer/lessons",
     "renderer/truth",
+    "renderer/study/rows",
     "renderer/study/charts",
     "renderer/study",
     "renderer/study/stability",

@@ -7,8 +7,9 @@
 #include <sstream>
 #include <sys/resource.h>
 
-#include "renderer/base/json.h"
 #include "renderer/options/presets.h"
+#include "renderer/study/row_json.h"
+#include "tests/study/study_rows.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -24,9 +25,13 @@ std::string text_of(const fs::path& path) {
 }
 void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
-Json good(const char* key, int n = 0) { return {{"key", key}, {"n", n}}; }
-Json bad(const char* key, const char* why) { return {{"key", key}, {"failed", why}}; }
-std::string line(const Json& row) { return row.dump() + "\n"; }
+StudyRow good(const char* key, int n = 0) {
+  StudyRow row = test::row_of(key, {});
+  test::put(row, "frames", n);
+  return row;
+}
+StudyRow bad(const char* key, const char* why) { return test::failed_row_of(key, why); }
+std::string line(const StudyRow& row) { return journal_line(row); }
 
 TEST(RowKey, IsOfTheSettingsAndNotOfTheView) {
   Settings a = preset("start").make(), b = a;
@@ -52,15 +57,16 @@ TEST(Journal, KeepsRowsAndKnowsThemAgain) {
   EXPECT_TRUE(again.has("a"));
   EXPECT_TRUE(again.has("b"));
   EXPECT_FALSE(again.has("c"));
-  EXPECT_EQ(again.rows(), (std::vector<Json>{good("a", 1), good("b", 2)}));
+  EXPECT_TRUE(again.rows() == (std::vector<StudyRow>{good("a", 1), good("b", 2)}));
 }
 
 TEST(Journal, ATornLastLineIsDropped) {
   const TemporaryFolder folder("journal-torn");
   const fs::path path = folder / "rows.jsonl";
   // Cut short, whole but for its end of line, and what a crash leaves of a block.
-  for (const std::string& torn : {std::string(R"({"key": "b", "n)"), good("b").dump(), std::string(20, '\0') + "\n",
-                                  std::string("{\"no\": \"key\"}\n"), std::string("\n")}) {
+  for (const std::string& torn :
+       {std::string(R"({"key": "b", "n)"), line(good("b")).substr(0, line(good("b")).size() - 1),
+        std::string(20, '\0') + "\n", std::string("{\"no\": \"key\"}\n"), std::string("\n")}) {
     write(path, line(good("a")) + torn);
     Journal journal(path);
     EXPECT_EQ(text_of(path), line(good("a"))) << torn;
@@ -88,7 +94,7 @@ TEST(Journal, OfConcatenatedFilesTheFirstRowOfAKeyWins) {
   const TemporaryFolder folder("journal-two");
   const fs::path path = folder / "rows.jsonl";
   write(path, line(good("a", 1)) + line(good("b", 1)) + line(good("b", 2)) + line(good("c", 2)) + line(bad("a", "no")));
-  EXPECT_EQ(Journal(path).rows(), (std::vector<Json>{good("a", 1), good("b", 1), good("c", 2)}));
+  EXPECT_TRUE(Journal(path).rows() == (std::vector<StudyRow>{good("a", 1), good("b", 1), good("c", 2)}));
 }
 
 TEST(Journal, WhatFailedIsTriedAgainAndTheNewerRowCounts) {
@@ -100,11 +106,11 @@ TEST(Journal, WhatFailedIsTriedAgainAndTheNewerRowCounts) {
     EXPECT_FALSE(journal.has("a"));
     journal.append(bad("a", "second"));
     journal.append(good("b"));
-    EXPECT_EQ(journal.rows(), (std::vector<Json>{bad("a", "second"), good("b")}));
+    EXPECT_TRUE(journal.rows() == (std::vector<StudyRow>{bad("a", "second"), good("b")}));
     journal.append(good("a"));
     EXPECT_TRUE(journal.has("a"));
   }
-  EXPECT_EQ(Journal(path).rows(), (std::vector<Json>{good("a"), good("b")}));
+  EXPECT_TRUE(Journal(path).rows() == (std::vector<StudyRow>{good("a"), good("b")}));
 }
 
 // A limit on the size of files stands for a full disk: the write is cut short, the next one refused.
@@ -145,7 +151,7 @@ TEST(Journal, RefusesWhatItCannotKeepRowsIn) {
 TEST(Journal, TextThatIsNotUtf8DoesNotStopAStudy) {
   const TemporaryFolder folder("journal-utf8");
   Journal journal(folder / "rows.jsonl");
-  journal.append({{"key", "a"}, {"failed", "bad byte \xff"}});
+  journal.append(bad("a", "bad byte \xff"));
   EXPECT_EQ(journal.rows().size(), 1u);
 }
 

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "renderer/base/json.h"
-#include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
+#include "tests/study/study_rows.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -25,20 +25,21 @@ StudySpec spec_with_label(const std::string& label) {
   return spec;
 }
 
-Json row(const char* name, double mib, const Json& error, const Json& at = Json::object()) {
-  Json r = {{"study", "t"}, {"case", name}, {"key", name}, {"at", at}, {"mib", mib}, {"rmse_linear", error}};
-  r["size"] = "640x360";
-  r["time_source"] = "software-rasteriser";
-  r["device"] = "llvmpipe";
-  r["settings"] = to_json(Settings{});
-  return r;
+StudyRow row(const char* name, double mib, const ColumnValue& error, std::vector<Assignment> at = {}) {
+  return test::row_of(name,
+                      {{"mib", mib},
+                       {"rmse_linear", error},
+                       {"size", "640x360"},
+                       {"time_source", "software-rasteriser"},
+                       {"device", "llvmpipe"}},
+                      std::move(at));
 }
 
-std::vector<Json> rows() {
-  std::vector<Json> list = {row("a, \"quoted\"\nline", 1, 0.5, {{"layout", "exact"}}), row("b", 2, 0),
-                            row("nclgl", 3, 0.25, {{"preset", "nclgl"}}), row("d", 4, nullptr)};
-  list[1]["time_ms_lighting_median"] = 2.5;  // a column that the first row has not
-  list.push_back({{"study", "t"}, {"case", "e"}, {"key", "e"}, {"at", Json::object()}, {"failed", "no memory"}});
+std::vector<StudyRow> rows() {
+  std::vector<StudyRow> list = {row("a, \"quoted\"\nline", 1, 0.5, {{"layout", "exact"}}), row("b", 2, 0),
+                                row("nclgl", 3, 0.25, {{"preset", "nclgl"}}), row("d", 4, {})};
+  test::put(list[1], "time_ms_lighting_median", 2.5);  // a column that the first row has not
+  list.push_back(test::failed_row_of("e", "no memory"));
   return list;
 }
 
@@ -151,10 +152,10 @@ TEST(StudyFiles, NothingInATextIsACommand) {
   const std::string touched = (folder / "touched").string();
   const std::string hostile = "it's `touch " + touched + "` $(touch " + touched + ") \"';system('touch " + touched +
                               "');' \n!touch " + touched + "\nEOD \\ @x {a}_b %d \xc3\xa4";
-  std::vector<Json> list = rows();
-  list[0]["at"]["lights.method"] = hostile;
-  list[2]["at"]["preset"] = hostile;
-  list[0]["device"] = hostile;
+  std::vector<StudyRow> list = rows();
+  list[0].at.push_back({"lights.method", hostile});
+  list[2].at = {{"preset", hostile}};
+  test::put(list[0], "device", hostile);
   write_study_files(folder / "out", spec_with_label(hostile), list, kMachine);
   EXPECT_FALSE(fs::exists(touched));
   const std::string svg = bytes_of(folder / "out/study.svg");
@@ -163,13 +164,14 @@ TEST(StudyFiles, NothingInATextIsACommand) {
 
 TEST(StudyFiles, EveryColumnCanBeDrawn) {
   NEEDS_GNUPLOT();
-  std::vector<Json> list = rows();
+  std::vector<StudyRow> list = rows();
   for (size_t i = 0; i < 3; ++i) {
-    for (const ErrorColumn& e : error_columns()) list[i][e.id] = i * 0.1;
-    for (const char* id : {"time_ms_total_median", "pairs_shaded", "pairs_lit", "draw_calls"}) list[i][id] = 5;
+    for (const ErrorColumn& e : error_columns()) test::put(list[i], e.id, i * 0.1);
+    for (const char* id : {"time_ms_total_median", "pairs_shaded", "pairs_lit", "draw_calls"})
+      test::put(list[i], id, 5);
   }
   for (const char* x : {"draw_calls", "shaded_per_lit", "mib"})
-    for (const ChartColumn& y : chart_error_columns())
+    for (const StudyColumn& y : chart_error_columns())
       EXPECT_TRUE(
           contains(run_gnuplot(chart_script(chart_points(list, x, y.id, "layout"), {}, ChartFile::svg)), "</svg>"))
           << x << " " << y.id;

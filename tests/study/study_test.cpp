@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "renderer/base/json.h"
+#include "renderer/study/row_json.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -21,8 +21,8 @@ StudyPlan plan_of(int n) {
 }
 
 const std::atomic<bool> kOn{false};
-Json measure(const StudyCase& c) { return {{"mib", c.settings.lights.count}, {"study", "not this one"}}; }
-Json measure_but_the_third(const StudyCase& c) {
+MeasuredColumns measure(const StudyCase& c) { return {{{"draw_calls", c.settings.lights.count}}, c.settings}; }
+MeasuredColumns measure_but_the_third(const StudyCase& c) {
   if (c.settings.lights.count == 2) throw Error(ExitCode::unfinished, "lighting", "no memory");
   return measure(c);
 }
@@ -38,12 +38,10 @@ TEST(RunStudy, ARowSaysWhoseItIs) {
   const StudyCounts counts = run_study(plan, {}, desk.journal, measure, {}, kOn);
   EXPECT_EQ(counts.measured, 2u);
   EXPECT_EQ(counts.failed + counts.before + counts.left, 0u);
-  const Json expected = {{"study", "counting"},
-                         {"case", "lights=1"},
-                         {"key", row_key(plan.cases[1].settings)},
-                         {"at", {{"lights", 1}}},
-                         {"mib", 1}};
-  EXPECT_EQ(desk.journal.rows().at(1), expected);
+  const StudyCase& c = plan.cases[1];
+  const StudyRow expected{"counting", "lights=1",          row_key(c.settings), {{"lights", 1}},
+                          {},         {{"draw_calls", 1}}, c.settings};
+  EXPECT_TRUE(desk.journal.rows().at(1) == expected);
 }
 
 TEST(RunStudy, AFailureIsARowAndTheStudyGoesOn) {
@@ -51,12 +49,12 @@ TEST(RunStudy, AFailureIsARowAndTheStudyGoesOn) {
   const StudyCounts counts = run_study(plan_of(4), {}, desk.journal, measure_but_the_third, {}, kOn);
   EXPECT_EQ(counts.measured, 3u);
   EXPECT_EQ(counts.failed, 1u);
-  const Json& row = desk.journal.rows().at(2);
-  EXPECT_EQ(row["failed"], "lighting: no memory");
-  EXPECT_EQ(row["settings"]["lights"]["count"], 2);
-  EXPECT_EQ(row["at"]["lights"], 2);
+  const StudyRow& row = desk.journal.rows().at(2);
+  EXPECT_EQ(row.failed, "lighting: no memory");
+  EXPECT_EQ(row.settings.lights.count, 2);
+  EXPECT_TRUE(row.at == (std::vector<Assignment>{{"lights", 2}}));
 
-  const auto no_memory = [](const StudyCase&) -> Json { throw std::bad_alloc(); };
+  const auto no_memory = [](const StudyCase&) -> MeasuredColumns { throw std::bad_alloc(); };
   EXPECT_EQ(run_study(plan_of(3), {}, desk.journal, no_memory, {}, kOn).failed, 1u) << "the two others are there";
 }
 
@@ -70,7 +68,7 @@ TEST(RunStudy, SkipsWhatIsThereAndTriesAgainWhatFailed) {
   EXPECT_EQ(counts.measured, 2u);
   EXPECT_EQ(asked, (std::vector<std::string>{"lights=2", "lights=4"}));
   ASSERT_EQ(desk.journal.rows().size(), 5u);
-  EXPECT_FALSE(desk.journal.rows()[2].contains("failed"));
+  EXPECT_FALSE(desk.journal.rows()[2].failed);
 }
 
 TEST(RunStudy, ShardsTakeEachCaseExactlyOnce) {
@@ -99,7 +97,7 @@ TEST(RunStudy, StopsBetweenRowsWhenCancelled) {
 
 TEST(RunStudy, AnInterruptedRowIsNoFailure) {
   Desk desk;
-  const auto interrupted = [](const StudyCase& c) -> Json {
+  const auto interrupted = [](const StudyCase& c) -> MeasuredColumns {
     if (c.settings.lights.count == 1) throw Error(ExitCode::interrupted, "", "stopped");
     return measure(c);
   };

@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "renderer/base/json.h"
-#include "renderer/options/settings_json.h"
 #include "renderer/study/study.h"
+#include "tests/study/study_rows.h"
 #include "tests/ui/ui_desk.h"
 #include "ui/chart_view.h"
 #include "ui/plot.h"
@@ -106,23 +105,24 @@ class ChartDesk : public Desk {
     s.view = {};
     StudyCase c{fmt::format("case {}", input.rows.size()), s, {}};
     c.at = {{"lights.method", row(n.method).id}, {"normal.encoding", row(n.normal).id}};
-    Json columns;
-    for (const ChartColumn& e : chart_error_columns()) columns[e.id] = n.over;
-    for (const ChartColumn& e : cost_columns()) columns[e.id] = n.ms;
-    columns["time_ms_total_p10"] = n.ms * 0.9, columns["time_ms_total_p90"] = n.ms * 1.2, columns["frames"] = 9;
-    columns["pairs_lit"] = 1000;
-    columns["settings"] = to_json(s);
+    MeasuredColumns columns{{}, s};
+    for (const StudyColumn& e : chart_error_columns()) columns.cells.push_back({e.id, n.over});
+    for (const StudyColumn& e : cost_columns()) columns.cells.push_back({e.id, n.ms});
+    columns.cells.push_back({"time_ms_total_p10", n.ms * 0.9});
+    columns.cells.push_back({"time_ms_total_p90", n.ms * 1.2});
+    columns.cells.push_back({"frames", 9});
+    columns.cells.push_back({"pairs_lit", 1000});
     input.rows.push_back(measured_row("tradeoff", c, columns));
     input.settings.push_back(s);
   }
   void add_preset(const char* id, double ms, double over) {
     add({ms, over});
-    input.rows.back()["at"] = {{"preset", id}};
+    input.rows.back().at = {{"preset", id}};
   }
   void add_failed(const char* why) {
     add({1, 1});
     input.rows.back() = failed_row("tradeoff", {"case f", input.settings.back(), {}}, why);
-    input.rows.back()["key"] = "failed";
+    input.rows.back().key = "failed";
   }
 
   // As many as the largest built-in study has, of every method, preset labels among them.
@@ -454,8 +454,8 @@ TEST(ChartViews, FailedRowsAndRowsWithoutAValueAreCountedInWords) {
   desk.add({1, 0.5});
   desk.add({1, std::numeric_limits<double>::quiet_NaN()});
   desk.add({1, 0.5});
-  desk.input.rows.back()["over_1_255_display"] = "inf";
-  desk.input.rows.back()["key"] = "another";
+  test::put(desk.input.rows.back(), "over_1_255_display", std::numeric_limits<double>::infinity());
+  desk.input.rows.back().key = "another";
   desk.add_failed("no memory");
   Model m(desk.input);
   const std::string words = counts_text(desk.input, m.view());
@@ -512,9 +512,9 @@ TEST(Chart, NoRowsOneRowAllZerosAndNonsenseAreDrawn) {
   }
 }
 
-TEST(Chart, RowsThatAreNoRowsDoNotCrashIt) {
+TEST(Chart, EmptyRowsDoNotCrashIt) {
   ChartDesk desk;
-  desk.input.rows = {Json::object(), Json{{"key", 3}}, Json{{"failed", true}}};
+  desk.input.rows = {StudyRow{}, test::row_of("nothing measured", {}), test::failed_row_of("failed", "")};
   desk.input.current = 7;
   desk.press("F3");
   for (const char* key : {"Right", "Enter", "+", "1"}) desk.press(key);

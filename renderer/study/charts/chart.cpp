@@ -3,75 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numeric>
-
-#include "renderer/base/error.h"
-#include "renderer/truth/measure.h"
 
 namespace gbl {
 namespace {
 
-std::vector<ChartColumn> make_error_columns() {
-  std::vector<ChartColumn> list;
-  for (const ErrorColumn& e : error_columns()) {
-    const std::string_view id = e.id;
-    if (id == "compared_pixels") continue;  // says how many were judged, not how
-    list.push_back({.id = e.id,
-                    .label = fmt::format("{}: {}", e.id, e.help),
-                    .unit = e.unit,
-                    .more_is_better = id == "psnr_display",
-                    .magnitude = id == "signed_mean_linear"});
-  }
-  return list;
+const OptionValue* at_path(const StudyRow& row, std::string_view path) {
+  for (const Assignment& a : row.at)
+    if (a.path == path) return &a.value;
+  return nullptr;
 }
 
-const ChartColumn& column_of(std::span<const ChartColumn> columns, std::string_view id, std::string_view what) {
-  std::vector<std::string_view> known;
-  for (const ChartColumn& c : columns) {
-    if (c.id == id) return c;
-    known.emplace_back(c.id);
-  }
-  throw Error(ExitCode::bad_input, what, fmt::format("unknown column '{}'", id), suggest(id, known));
+// As asked for in the case, or else as drawn: "auto" stays a family of its own. A preset is no setting: "" without one.
+std::string family_of(const StudyRow& row, std::string_view path) {
+  if (const OptionValue* value = at_path(row, path)) return plain(*value);
+  for (const Option& o : options())
+    if (o.path == path) return plain(o.get(row.settings));
+  return "";
 }
 
-std::optional<double> number(const Json& row, const std::string& id) {
-  const auto it = row.find(id);
-  if (it == row.end()) return {};
-  if (it->is_number()) return it->get<double>();
-  if (*it == "inf") return std::numeric_limits<double>::infinity();
-  if (*it == "-inf") return -std::numeric_limits<double>::infinity();
-  return {};
-}
-
-const Json* member(const Json& node, std::string_view name) {
-  if (!node.is_object()) return nullptr;
-  const auto it = node.find(std::string(name));
-  return it == node.end() ? nullptr : &*it;
-}
-
-// As asked for in the case, or else as drawn: "auto" stays a family of its own.
-std::string family_of(const Json& row, std::string_view path) {
-  const auto text = [](const Json& v) { return v.is_string() ? v.get<std::string>() : v.dump(); };
-  if (const Json* at = member(row, "at"))
-    if (const Json* value = member(*at, path)) return text(*value);
-  const Json* node = member(row, "settings");
-  while (node && !path.empty()) {
-    const size_t dot = std::min(path.find('.'), path.size());
-    node = member(*node, path.substr(0, dot));
-    path.remove_prefix(std::min(dot + 1, path.size()));
-  }
-  return node ? text(*node) : "";
-}
-
-ChartPoint point_of(const Json& row, size_t index, double cost, double error, std::string_view family) {
-  ChartPoint p{.cost = cost, .error = error, .family = family_of(row, family), .row = index};
-  const Json* at = member(row, "at");
-  const Json* preset = at ? member(*at, "preset") : nullptr;
-  const Json* label = preset ? preset : member(row, "case");
-  p.preset = preset != nullptr;
-  if (label && label->is_string()) p.label = label->get<std::string>();
-  return p;
+ChartPoint point_of(const StudyRow& row, size_t index, double cost, double error, std::string_view family) {
+  const OptionValue* preset = at_path(row, "preset");
+  return {.cost = cost,
+          .error = error,
+          .label = preset ? plain(*preset) : row.name,
+          .family = family_of(row, family),
+          .preset = preset != nullptr,
+          .row = index};
 }
 
 void mark_front(Chart& chart) {
@@ -83,51 +41,15 @@ void mark_front(Chart& chart) {
 
 }  // namespace
 
-std::span<const ChartColumn> cost_columns() {
-  static const ChartColumn kColumns[] = {
-      {.id = "time_ms_total_median", .label = "time of a frame, median", .unit = "ms"},
-      {.id = "time_ms_lighting_median", .label = "time of the lighting, median", .unit = "ms"},
-      {.id = "bytes_per_pixel", .label = "G-buffer", .unit = "bytes per pixel"},
-      {.id = "accumulation_bytes_per_pixel", .label = "light targets", .unit = "bytes per pixel"},
-      {.id = "mib", .label = "all targets of a frame", .unit = "MiB"},
-      {.id = "pairs_shaded", .label = "pairs of pixel and light shaded", .unit = ""},
-      {.id = "pairs_tested", .label = "pairs of pixel and light tested", .unit = ""},
-      {.id = "shaded_per_lit",
-       .label = "pairs shaded for each one that is lit",
-       .numerator = "pairs_shaded",
-       .denominator = "pairs_lit"},
-      {.id = "draw_calls", .label = "draw calls", .unit = ""},
-  };
-  return kColumns;
-}
-
-std::span<const ChartColumn> chart_error_columns() {
-  static const std::vector<ChartColumn> kColumns = make_error_columns();
-  return kColumns;
-}
-
-const ChartColumn& cost_column(std::string_view id) { return column_of(cost_columns(), id, "x"); }
-const ChartColumn& chart_error_column(std::string_view id) { return column_of(chart_error_columns(), id, "y"); }
-
-std::string axis_title(const ChartColumn& c) {
+std::string axis_title(const StudyColumn& c) {
   return c.unit.empty() ? c.label : fmt::format("{} [{}]", c.label, c.unit);
 }
 
-std::optional<double> column_value(const Json& row, const ChartColumn& c) {
-  if (c.numerator.empty()) {
-    const auto value = number(row, c.id);
-    return value && c.magnitude ? std::abs(*value) : value;
-  }
-  const auto over = number(row, c.numerator), under = number(row, c.denominator);
-  if (!over || !under || *under == 0) return {};
-  return *over / *under;
-}
-
-Chart chart_points(const std::vector<Json>& rows, std::string_view x, std::string_view y, std::string_view family) {
+Chart chart_points(const std::vector<StudyRow>& rows, std::string_view x, std::string_view y, std::string_view family) {
   Chart chart{cost_column(x), chart_error_column(y), {}, {}};
   for (size_t i = 0; i < rows.size(); ++i) {
     const auto cost = column_value(rows[i], chart.x), error = column_value(rows[i], chart.y);
-    if (rows[i].contains("failed"))
+    if (rows[i].failed)
       ++chart.failed;
     else if (!cost || !error || !std::isfinite(*cost) || !std::isfinite(*error))
       ++chart.without_value;

@@ -7,29 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/base/json.h"
+#include "renderer/study/rows/study_row.h"
 
 namespace gbl {
 
-// What can be on an axis: the cost columns, and of the error columns those that say how wrong a picture is.
-struct ChartColumn {
-  std::string id;
-  std::string label;
-  std::string unit;                    // "" = a share, a count or a ratio
-  bool more_is_better = false;         // a quality; its axis is linear
-  bool magnitude = false;              // drawn without its sign
-  std::string numerator, denominator;  // of a ratio of two columns; "" = the row has the column itself
-};
-std::span<const ChartColumn> cost_columns();
-std::span<const ChartColumn> chart_error_columns();
-// Error(bad_input) with the known ones.
-const ChartColumn& cost_column(std::string_view id);
-const ChartColumn& chart_error_column(std::string_view id);
-
-std::string axis_title(const ChartColumn&);  // with the unit
-
-// Empty: not measured. Infinities are texts in JSON.
-std::optional<double> column_value(const Json& row, const ChartColumn&);
+std::string axis_title(const StudyColumn&);  // with the unit
 
 struct ChartPoint {
   double cost = 0, error = 0;
@@ -41,13 +23,13 @@ struct ChartPoint {
 };
 
 struct Chart {
-  ChartColumn x, y;
+  StudyColumn x, y;
   std::vector<ChartPoint> points;     // in the order of the rows
   std::vector<std::string> families;  // in the order of their first points
   size_t without_value = 0;           // rows left out: not measured, or not finite
   size_t failed = 0;                  // rows left out: they could not be drawn
 };
-Chart chart_points(const std::vector<Json>& rows, std::string_view x, std::string_view y, std::string_view family);
+Chart chart_points(const std::vector<StudyRow>& rows, std::string_view x, std::string_view y, std::string_view family);
 
 // Which points no other beats: none is as good in both and better in one. Equal points are on it together.
 struct CostError {
@@ -63,7 +45,7 @@ struct ChartAxis {
   double low = 0.1, high = 10;    // a little beyond the values
   double place(double value) const { return zero_at && !(value > 0) ? *zero_at : value; }
 };
-ChartAxis axis_for(const ChartColumn&, const std::vector<double>& values);
+ChartAxis axis_for(const StudyColumn&, const std::vector<double>& values);
 
 struct ChartTick {
   double at;

@@ -46,7 +46,7 @@ std::vector<ChartTick> logarithmic_ticks(double low, double high) {
 
 }  // namespace
 
-ChartAxis axis_for(const ChartColumn& column, const std::vector<double>& values) {
+ChartAxis axis_for(const StudyColumn& column, const std::vector<double>& values) {
   ChartAxis axis{.logarithmic = !column.more_is_better};
   double low = std::numeric_limits<double>::infinity(), high = -low;
   bool zeros = false;

@@ -33,7 +33,7 @@ Places places_of(const Chart& chart) {
   return {axis_for(chart.x, costs), axis_for(chart.y, errors)};
 }
 
-std::string axis_lines(const char* name, const ChartColumn& column, const ChartAxis& axis) {
+std::string axis_lines(const char* name, const StudyColumn& column, const ChartAxis& axis) {
   std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name, gnuplot_text(axis_title(column)),
                                  axis.low, axis.high);
   if (axis.logarithmic) text += fmt::format("set logscale {}\n", name);

@@ -3,8 +3,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "renderer/base/json_fwd.h"
+#include "renderer/study/rows/study_row.h"
 #include "renderer/study/stability/stability.h"
-#include "renderer/study/study_row.h"
 
 namespace gbl {
 
