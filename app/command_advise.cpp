@@ -49,33 +49,36 @@ Json json_of(const BoundCheck& b) {
 
 Json json_of(const std::optional<AdvisedSetup>& s) {
   if (!s) return nullptr;
-  return {{"setup", setup_in_words(s->settings)},  {"cost", s->cost},
-          {"bytes_per_pixel", s->bytes_per_pixel}, {"camera", s->proof.camera},
-          {"worst", json_of(s->proof.worst)},      {"settings", to_json(s->settings)}};
+  return {{"setup", in_words(setup_values(s->settings))},
+          {"cost", s->cost},
+          {"bytes_per_pixel", s->bytes_per_pixel},
+          {"camera", s->proof.camera},
+          {"worst", json_of(s->proof.worst)},
+          {"settings", to_json(s->settings)}};
 }
 
 Json json_of(const std::vector<Tried>& all) {
   Json out = Json::array();
   for (const Tried& t : all)
-    out.push_back({{"what", t.what}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}});
+    out.push_back(
+        {{"what", in_words(t.values)}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}});
   return out;
 }
 
 void print_setup(const char* title, const std::optional<AdvisedSetup>& s, AdviceCost cost) {
   if (!s) return;
   fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, row(cost).unit, s->bytes_per_pixel,
-             setup_in_words(s->settings));
-  if (!s->proof.what.empty())
-    fmt::print("  worst of {} cameras: {} of {} pixels over, the worst by {:.2f} codes at {}, {}; {} excused\n",
-               kAdviceCameras, s->proof.worst.over, s->proof.worst.compared, 255 * s->proof.worst.worst,
-               s->proof.worst.worst_pixel.x, s->proof.worst.worst_pixel.y, s->proof.worst.excused);
+             in_words(setup_values(s->settings)));
+  fmt::print("  worst of {} cameras: {} of {} pixels over, the worst by {:.2f} codes at {}, {}; {} excused\n",
+             kAdviceCameras, s->proof.worst.over, s->proof.worst.compared, 255 * s->proof.worst.worst,
+             s->proof.worst.worst_pixel.x, s->proof.worst.worst_pixel.y, s->proof.worst.excused);
 }
 
 void print_text(const Advice& advice, AdviceCost cost) {
   print_setup("cheapest", advice.best, cost);
   print_setup("runner-up", advice.runner_up, cost);
   for (const Tried& t : advice.rejected)
-    fmt::print("does not hold together: {} ({} pixels over, worst {:.2f} codes)\n", t.what, t.worst.over,
+    fmt::print("does not hold together: {} ({} pixels over, worst {:.2f} codes)\n", in_words(t.values), t.worst.over,
                255 * t.worst.worst);
   if (!advice.left_out.empty()) fmt::print("left out:\n");
   for (const std::string& l : advice.left_out) fmt::print("  {}\n", l);

@@ -1,6 +1,7 @@
 // F7: the cheapest set-up that holds an error budget: the question, the answer, and what it leaves out and why.
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/base/size_text.h"
 #include "ui/commands.h"
@@ -87,20 +88,17 @@ const char* cost_words(AdviceCost c) {
   return "pairs of pixel and light, shaded or tested";
 }
 
-// "layout=split normal.encoding=oct8" as the options are called: "Layout: Split; Normal: oct8".
+// As the options are called: "Layout: Split;  Normal: oct8".
 std::string setup_words(const Settings& s) {
-  std::string out, words = setup_in_words(s);
-  for (size_t at = 0; at < words.size();) {
-    const size_t end = std::min(words.find(' ', at), words.size()), equals = words.find('=', at);
-    const Option& o = option(words.substr(at, equals - at));
+  std::string out;
+  for (const Assignment& a : setup_values(s)) {
+    const Option& o = option(a.path);
     out += fmt::format("{}{}: {}", out.empty() ? "" : ";  ", o.label, value_text(o, s));
-    at = end + 1;
   }
   return out;
 }
 
 std::string proof_words(const Tried& t) {
-  if (t.what.empty()) return "";
   const BoundCheck& b = t.worst;
   return fmt::format("worst from {}: {:.2f} codes at pixel {}, {}; {} of {} pixels are over the bound",
                      t.camera == 0 ? "this camera" : fmt::format("seeded camera {}", t.camera), 255 * b.worst,

@@ -10,10 +10,8 @@ namespace {
 std::string stored_text(View v, const Settings& s) {
   const std::string why = why_missing(v, s);
   if (!why.empty()) return "not stored: " + why;
-  std::string text = stored_as(v, s);
-  for (const Attachment& a : attachments(s))
-    if (text.starts_with(std::string(a.name) + " ")) text += fmt::format(" ({})", a.contents);
-  return text;
+  const std::optional<Attachment> a = attachment_of(v, s);
+  return a ? fmt::format("{} ({})", stored_as(v, s), a->contents) : stored_as(v, s);
 }
 
 }  // namespace

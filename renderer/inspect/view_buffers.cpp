@@ -28,27 +28,27 @@ View shown_by(ErrorOf of) {
 
 }  // namespace
 
-std::string in_first_of(std::span<const Stores> in_order, const Settings& s) {
+ViewSource in_first_of(std::span<const Stores> in_order, const Settings& s) {
   const std::vector<Attachment> all = attachments(s);
   const Attachment* a = nullptr;
   for (size_t i = 0; i < in_order.size() && !a; ++i) a = find(all, in_order[i]);
   if (!a) a = find(all, Stores::light);
   if (!a) a = find(all, Stores::lit);
-  return fmt::format("{} {} {} B", a->name, row(a->format).label, row(a->format).bytes);
+  return {*a, ""};
 }
 
-std::string in_layouts_attachment(const Settings& s) {
+ViewSource in_layouts_attachment(const Settings& s) {
   const Stores in_order[] = {facts(s.layout).shows_stored, Stores::material};
   return in_first_of(in_order, s);
 }
 
 // Not part of the frame: a counter that is drawn only while somebody looks at it.
-std::string in_counter(const Settings&) { return "counted apart, R32F 4 B"; }
+ViewSource in_counter(const Settings&) { return {{}, "counted apart, R32F 4 B"}; }
 
-std::string in_reference(const Settings&) { return "worked out on the CPU, double"; }
+ViewSource in_reference(const Settings&) { return {{}, "worked out on the CPU, double"}; }
 
-std::string in_comparison(const Settings& s) {
-  return fmt::format("of {} against the reference", row(s.view.error.of).label);
+ViewSource in_comparison(const Settings& s) {
+  return {{}, fmt::format("of {} against the reference", row(s.view.error.of).label)};
 }
 
 std::string surface_missing(const Settings& s) {

@@ -3,22 +3,21 @@
 #include <span>
 #include <string>
 
-#include "renderer/gbuffer/attachment.h"
-#include "renderer/options/settings.h"
+#include "renderer/inspect/views.h"
 
 namespace gbl {
 
-// The first of these that is stored, by name with format; else the sum of light, or what it became.
-std::string in_first_of(std::span<const Stores>, const Settings&);
+// The first of these that is stored; else the sum of light, or what it became.
+ViewSource in_first_of(std::span<const Stores>, const Settings&);
 template <Stores... kInOrder>
-std::string in_attachment(const Settings& s) {
+ViewSource in_attachment(const Settings& s) {
   constexpr Stores kOrder[] = {kInOrder...};
   return in_first_of(kOrder, s);
 }
-std::string in_layouts_attachment(const Settings&);  // where the layout keeps what key 5 shows
-std::string in_counter(const Settings&);
-std::string in_reference(const Settings&);
-std::string in_comparison(const Settings&);
+ViewSource in_layouts_attachment(const Settings&);  // where the layout keeps what key 5 shows
+ViewSource in_counter(const Settings&);
+ViewSource in_reference(const Settings&);
+ViewSource in_comparison(const Settings&);
 
 // Empty: nothing is missing.
 std::string surface_missing(const Settings&);

@@ -34,7 +34,12 @@ bool counted(View v) { return row(v).counted; }
 
 std::string why_missing(View v, const Settings& s) { return row(v).why_missing ? row(v).why_missing(s) : ""; }
 
-std::string stored_as(View v, const Settings& s) { return row(v).stored_as(s); }
+std::optional<Attachment> attachment_of(View v, const Settings& s) { return row(v).stored_as(s).attachment; }
+
+std::string stored_as(View v, const Settings& s) {
+  const auto [a, elsewhere] = row(v).stored_as(s);
+  return a ? fmt::format("{} {} {} B", a->name, row(a->format).label, row(a->format).bytes) : elsewhere;
+}
 
 Legend legend(View v, const Settings& s, const Bounds& bounds) {
   return row(v).legend && why_missing(v, s).empty() ? row(v).legend(s, bounds) : Legend{};

@@ -1,6 +1,7 @@
 #pragma once
 // The views: every picture that can be looked at. Panels, number keys, files and `H` cards follow. Rows: views.inc.
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,12 @@ inline constexpr int kViewCount = 0
 #undef VIEW
     ;
 
+// Where a view's values are kept: in an attachment of the frame, or where else.
+struct ViewSource {
+  std::optional<Attachment> attachment;
+  std::string elsewhere;
+};
+
 struct ViewRow {
   View view;
   const char* id;   // singular; also the file's name
@@ -41,7 +48,7 @@ struct ViewRow {
   // How it is made:
   bool counted = false;      // a count of pairs, made only while somebody looks
   bool needs_truth = false;  // the reference, which takes a second or more and is made only while somebody looks
-  std::string (*stored_as)(const Settings&);
+  ViewSource (*stored_as)(const Settings&);
   std::string (*why_missing)(const Settings&) = nullptr;       // null: always there
   Legend (*legend)(const Settings&, const Bounds&) = nullptr;  // null: its colours need none, or a panel of their own
   bool with_transparent = false;                               // what is drawn forward after the lighting, too
@@ -59,7 +66,9 @@ bool counted(View);
 // Empty if the view can be shown under these settings, else the reason why not.
 std::string why_missing(View, const Settings&);
 
-// The attachments that a view reads, by name with format: "gbuffer.normal RG16UI 4 B".
+// The attachment that a view reads; empty: it reads none of the frame.
+std::optional<Attachment> attachment_of(View, const Settings&);
+// It by name with format: "gbuffer.normal RG16UI 4 B", or where else the view comes from.
 std::string stored_as(View, const Settings&);
 
 Legend legend(View, const Settings&, const Bounds&);

@@ -16,8 +16,7 @@ class AdvisorDesk : public Desk {
   }
   void answer() {
     const auto setup = [&](LightMethod method, NormalEncoding normal, int bytes) {
-      AdvisedSetup a{
-          settings, double(bytes), bytes, {"what", true, 2, {.compared = 57600, .over = 12, .worst = 0.004}}};
+      AdvisedSetup a{settings, double(bytes), bytes, {{}, true, 2, {.compared = 57600, .over = 12, .worst = 0.004}}};
       a.settings.size = {320, 180};
       a.settings.camera.position = {1, 2, 3};  // must not be applied
       a.settings.lights.method = method;

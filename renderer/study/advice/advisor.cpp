@@ -19,20 +19,9 @@ constexpr size_t kMostSetups = 300;    // whole set-ups tried before giving up
 constexpr double kMostWork = 6;        // times the least estimated, to be measured at all
 constexpr size_t kMeasuredSetups = 4;  // that hold and are measured where the cost is no count of bytes
 
-using Patch = std::vector<std::pair<const char*, const char*>>;  // path, id
+using Patch = std::vector<Assignment>;
 
-void apply(Settings& s, const Patch& patch) {
-  for (const auto& [path, id] : patch) {
-    const Option& o = option(path);
-    o.set(s, id, o);
-  }
-}
-
-std::string in_words(const Patch& patch) {
-  std::string out;
-  for (const auto& [path, id] : patch) out += fmt::format("{}{}={}", out.empty() ? "" : " ", path, id);
-  return out;
-}
+void apply(Settings& s, const Patch& patch) { apply_patch(s, patch, "advice"); }
 
 // Everything that a G-buffer could lose is kept, everything that is approximate is off. Depth decides which surface is
 // seen even where positions are stored apart: the finest there is.
@@ -141,9 +130,9 @@ class Advisor {
   }
 
   // From every camera, or until one fails.
-  Tried tried(const std::string& what, const Settings& s) const {
-    step(what);
-    Tried out{what, true, 0, {}};
+  Tried tried(const std::vector<Assignment>& values, const Settings& s) const {
+    step(in_words(values));
+    Tried out{values, true, 0, {}};
     for (int camera = 0; camera < kAdviceCameras && out.holds; ++camera) {
       const BoundCheck b = judge_(s, camera);
       out.holds = budget_.holds(b);
@@ -159,7 +148,7 @@ class Advisor {
       Settings s = base_;
       apply(s, patch);
       if (!validate(s, limits_).empty()) continue;
-      advice_.values.push_back(tried(in_words(patch), s));
+      advice_.values.push_back(tried(patch, s));
       if (advice_.values.back().holds) out.push_back(patch);
     }
     return out;
@@ -191,7 +180,7 @@ class Advisor {
     size_t looked_at = 0;
     for (AdvisedSetup& a : products()) {
       if (out.size() == wanted || ++looked_at > kMostSetups) break;
-      a.proof = tried(setup_in_words(a.settings), a.settings);
+      a.proof = tried(setup_values(a.settings), a.settings);
       if (a.proof.holds)
         out.push_back(std::move(a));
       else if (out.empty())
@@ -243,12 +232,12 @@ class Advisor {
   // A method of other stored bits is judged, too: forward and deferred lighting store less.
   void append_measured(std::vector<AdvisedSetup>& out, AdvisedSetup a) {
     if (!validate(a.settings, limits_).empty()) return;
-    const std::string what = setup_in_words(a.settings);
+    const std::vector<Assignment> values = setup_values(a.settings);
     if (shading_of(a.settings.lights.method) != Shading::deferred) {
-      a.proof = tried(what, a.settings);
+      a.proof = tried(values, a.settings);
       if (!a.proof.holds) return advice_.rejected.push_back(a.proof);
     }
-    step(fmt::format("measuring {}", what));
+    step(fmt::format("measuring {}", in_words(values)));
     a.cost = measure_(a.settings);
     a.bytes_per_pixel = bytes_of(a.settings, scene_);
     out.push_back(std::move(a));
@@ -278,7 +267,7 @@ class Advisor {
       if (!t.holds)
         advice_.left_out.push_back(
             fmt::format("{}: {:.3g} % of the pixels are over the bound from camera {}, the worst by {:.3g} codes",
-                        t.what, 100 * t.worst.share_over(), t.camera, 255 * t.worst.worst));
+                        in_words(t.values), 100 * t.worst.share_over(), t.camera, 255 * t.worst.worst));
   }
 
   const Scene& scene_;
@@ -296,14 +285,19 @@ class Advisor {
 
 }  // namespace
 
-std::string setup_in_words(const Settings& s) {
+std::vector<Assignment> setup_values(const Settings& s) {
   constexpr const char* kPaths[] = {"lights.method",       "layout",       "normal.encoding",
                                     "position.source",     "depth.format", "accumulation.format",
                                     "accumulation.targets"};
-  std::string out;
+  std::vector<Assignment> values;
   for (const char* path : kPaths)
-    if (const Option& o = option(path); in_use(o, s))
-      out += fmt::format("{}{}={}", out.empty() ? "" : " ", path, std::get<std::string>(o.get(s)));
+    if (const Option& o = option(path); in_use(o, s)) values.push_back({path, o.get(s)});
+  return values;
+}
+
+std::string in_words(const std::vector<Assignment>& values) {
+  std::string out;
+  for (const Assignment& a : values) out += fmt::format("{}{}={}", out.empty() ? "" : " ", a.path, plain(a.value));
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame/validate.h"
+#include "renderer/options/options.h"
 #include "renderer/scene/scene.h"
 #include "renderer/truth/measure.h"
 
@@ -42,7 +43,7 @@ using AdviceProgress = std::function<void(const std::string& what)>;
 
 // One axis' value, tried with nothing else lost, or a whole set-up.
 struct Tried {
-  std::string what;  // "normal.encoding=oct8", or the set-up in words
+  std::vector<Assignment> values;
   bool holds = true;
   int camera = 0;    // the first at which it failed, or the worst
   BoundCheck worst;  // there
@@ -66,7 +67,8 @@ struct Advice {
 Advice advise(const Settings& truth, const Scene&, const ErrorBudget&, AdviceCost, const DeviceLimits&, const JudgeFn&,
               const CostFn&, const AdviceProgress&, const std::atomic<bool>& cancel);
 
-// What a set-up is made of: "layout=… normal.encoding=… …", as far as it is in use.
-std::string setup_in_words(const Settings&);
+// What a set-up is made of, as far as it is in use: layout, normal.encoding, …
+std::vector<Assignment> setup_values(const Settings&);
+std::string in_words(const std::vector<Assignment>&);  // "layout=split normal.encoding=oct8"
 
 }  // namespace gbl
