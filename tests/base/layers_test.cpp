@@ -116,6 +116,17 @@ TEST(Layers, GlTheWindowAndImGuiStayWhereTheyBelong) {
     }
 }
 
+// Who reads or writes a file knows JSON; a header that did would hand it to all who include that.
+TEST(Layers, NoHeaderBringsJsonAlong) {
+  for (const char* top : {"renderer", "ui", "app"})
+    for (const fs::path& path : sources(top)) {
+      const std::string file = fs::relative(path, kRoot).generic_string();
+      if (path.extension() != ".h" || file == "renderer/base/json.h") continue;
+      for (const std::string& name : includes_of(path))
+        EXPECT_TRUE(name != "nlohmann/json.hpp" && name != "renderer/base/json.h") << file << " includes " << name;
+    }
+}
+
 TEST(Layers, OwnHeadersAreNamedFromTheRoot) {
   for (const char* top : {"renderer", "ui", "app", "tests"})
     for (const fs::path& file : sources(top))
