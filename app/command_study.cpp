@@ -1,4 +1,5 @@
 // `study`: a product of set-ups, each measured as a row; resumed, shared between machines, and drawn as a chart.
+#include <cmath>
 #include <csignal>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -36,7 +37,7 @@ class InterruptScope {
 
 std::string time_left(std::optional<double> seconds) {
   if (!seconds) return "";
-  const int s = static_cast<int>(*seconds + 0.5);
+  const long s = std::lround(*seconds);
   return s >= 120 ? fmt::format(", {} min left", (s + 30) / 60) : fmt::format(", {} s left", s);
 }
 

@@ -25,7 +25,7 @@ constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an ans
 // "out/figure-003-normal.png": the first number that is free.
 std::filesystem::path free_figure_name(const Settings& s) {
   for (int n = 1;; ++n) {
-    const auto path = std::filesystem::path("out") / fmt::format("figure-{:03}-{}.png", n, s.view.main);
+    auto path = std::filesystem::path("out") / fmt::format("figure-{:03}-{}.png", n, s.view.main);
     if (!std::filesystem::exists(path)) return path;
   }
 }

@@ -75,7 +75,7 @@ inline std::filesystem::path write_difference(const Picture& got, const Picture&
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path folder = build_folder() / "differences";
   make_folder(folder);
-  const auto path = folder / fmt::format("{}.{}.{}.png", test->test_suite_name(), test->name(), ++number);
+  auto path = folder / fmt::format("{}.{}.{}.png", test->test_suite_name(), test->name(), ++number);
   write_png(path, difference_image(got, expected));
   return path;
 }

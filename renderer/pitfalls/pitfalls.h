@@ -14,7 +14,7 @@ enum class Pitfall {
 #undef PITFALL
 };
 
-const char* id_of(Pitfall);                // "" of none
+const char* id_of(Pitfall);                  // "" of none
 std::span<const char* const> pitfall_ids();  // of all
 
 }  // namespace gbl

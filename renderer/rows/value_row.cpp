@@ -7,8 +7,7 @@
 
 namespace gbl {
 
-int parse_id(std::span<const ValueRow> table, std::string_view id, std::string_view where,
-             std::string_view noun) {
+int parse_id(std::span<const ValueRow> table, std::string_view id, std::string_view where, std::string_view noun) {
   std::vector<std::string_view> known;
   for (const ValueRow& r : table) {
     if (r.id == id) return r.value;

@@ -11,12 +11,12 @@
 namespace gbl {
 
 struct ValueRow {
-  int value;                 // == its index; checked at compile time
-  const char* id;            // kebab-case; a promise: changing one is a CHANGELOG line
-  const char* label;         // for the screen
-  const char* help;          // one line: what it does
-  const char* cost = "";     // bits, bytes or pairs it costs; empty = nothing beyond the axis' other rows
-  const char* source = "";   // author, year, title
+  int value;                        // == its index; checked at compile time
+  const char* id;                   // kebab-case; a promise: changing one is a CHANGELOG line
+  const char* label;                // for the screen
+  const char* help;                 // one line: what it does
+  const char* cost = "";            // bits, bytes or pairs it costs; empty = nothing beyond the axis' other rows
+  const char* source = "";          // author, year, title
   Pitfall pitfall = Pitfall::none;  // none = sound; else the failure that this row shows
   Feature needs = Feature::none;
 

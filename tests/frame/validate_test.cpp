@@ -1,5 +1,6 @@
 #include "renderer/frame/validate.h"
 
+#include <fmt/format.h>
 #include <functional>
 #include <limits>
 #include <set>

@@ -19,7 +19,7 @@ inline Scene make_plane(float half_width, Material material = {}) {
   for (const float z : {-half_width, half_width})
     for (const float x : {-half_width, half_width}) m.vertices.push_back(corner({x, 0, z}));
   s.meshes = {m};
-  s.materials = {material};
+  s.materials = {std::move(material)};
   s.instances = {{"plane", 0, 0, glm::dmat4(1)}};
   return s;
 }

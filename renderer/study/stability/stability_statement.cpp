@@ -99,7 +99,7 @@ struct Checker {
 
   // Least squares of log value on log x.
   Verdict operator()(const Grows& e) const {
-    const Verdict positive = every(
+    Verdict positive = every(
         e.from, e.to, [](double v) { return v > 0 && std::isfinite(v); }, "a number above 0");
     if (!positive.holds) return positive;
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
