@@ -7,7 +7,6 @@
 #include "app/background_study.h"
 #include "app/background_sweep.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/frame_lights.h"
 
 namespace gbl {
 
@@ -28,9 +27,8 @@ Settings as_measured(Settings s) {
 }
 
 void require_quick(const Settings& s, Lab& lab, const char* where, const char* mend) {
-  const std::vector<Light> lights = lights_of(s, lab.scene());
-  const double ms =
-      std::max(lab.cost().predict_ms(s, lights), lab.cost().predict_ms(witness_of(s, lab.device().features), lights));
+  const Settings witness = witness_of(s, lab.device().features);
+  const double ms = std::max(lab.cost().predict_ms(*lab.resolve(s)), lab.cost().predict_ms(*lab.resolve(witness)));
   if (ms > kMostFrameMs)
     throw Error(ExitCode::unfinished, where,
                 fmt::format("predicted {:.1f} s a frame: the window would stand still", ms / 1000), mend);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/lab.h"
-#include "renderer/frame/frame_lights.h"
 
 namespace gbl {
 namespace {
@@ -23,7 +22,7 @@ void Bench::start(const Settings& s, std::shared_ptr<const GpuScene> scene, Benc
   settings_ = s, scene_ = std::move(scene), wishes_ = wishes;
   truth_.reset();
   timing_ = {}, errors_ = {}, report_ = {}, drawn_ = {};
-  if (cost_.predict_ms(s, lights_of(s, scene_->scene())) > kCountOnlyMs) wishes_.times = false;
+  if (cost_.predict_ms(*renderer_.resolve(s, *scene_)) > kCountOnlyMs) wishes_.times = false;
   phase_ = wishes_.errors ? Phase::truth : wishes_.times ? Phase::warm_up : Phase::judge;
 }
 

@@ -12,7 +12,6 @@
 #include "app/report_json.h"
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
-#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/packing_svg.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
@@ -43,7 +42,7 @@ std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
 
 void announce(Lab& lab, const Settings& s) {
   lab.open(s.scene);
-  const double ms = lab.cost().predict_ms(s, lights_of(s, lab.scene()));
+  const double ms = lab.cost().predict_ms(*lab.resolve(s));
   if (ms > kWarnMs) fmt::print(stderr, "gbufferlab: this frame is predicted to take about {:.0f} s\n", ms / 1000);
 }
 

@@ -31,9 +31,12 @@ void Lab::draw(const Settings& s) {
     throw;
   }
   drawn_ = s;
-  Settings chosen = s;
-  chosen.lights.method = report_.drawn.lights.method;
-  work_[work_index(targets_.timers.frame())] = estimate_work(chosen, targets_.lights);
+  work_[work_index(targets_.timers.frame())] = targets_.drawn->light_work;
+}
+
+const std::vector<Light>& Lab::lights() const {
+  static const std::vector<Light> none;
+  return targets_.drawn ? targets_.drawn->lights : none;
 }
 
 void Lab::draw_view(View view, ViewOptions options) {
@@ -54,7 +57,7 @@ bool Lab::draw_truth_view(View view, bool wait) {
 }
 
 bool Lab::take_error_stats(bool wait) {
-  const std::vector<float>* errors = targets_.error_read.take(wait);
+  const std::vector<float>* errors = targets_.reads.error.take(wait);
   if (!errors) return false;
   const Settings::View::Error& e = drawn_.view.error;
   error_stats_ = gbl::error_stats(e.of, drawn_.size, *errors, e.range);
@@ -94,17 +97,17 @@ std::optional<ui::PixelProbe> Lab::take_probe() {
 }
 
 Image Lab::image_of(View view) const {
-  const gl::Texture& t = targets_.drawn_view(view)->texture;
+  const gl::Texture& t = targets_.canvases.drawn_view(view)->texture;
   return image_from_gl_rows(t.size, gl::read_rgba8(t));
 }
 
 ui::ViewImage Lab::handle_of(View view) const {
-  const Canvas* canvas = targets_.drawn_view(view);
+  const Canvas* canvas = targets_.canvases.drawn_view(view);
   return canvas ? ui::ViewImage{canvas->texture.id(), canvas->texture.size} : ui::ViewImage{};
 }
 
 Canvas Lab::copy_of(View view) const {
-  const Canvas& from = *targets_.drawn_view(view);
+  const Canvas& from = *targets_.canvases.drawn_view(view);
   Canvas to = make_canvas({.size = from.texture.size, .linear_filter = true, .label = "copy"});
   const auto [w, h] = std::pair(from.texture.size.x, from.texture.size.y);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.id());
@@ -116,7 +119,7 @@ Canvas Lab::copy_of(View view) const {
 
 ui::Input ui_input(const Lab& lab) {
   ui::Input input{
-      .scene = lab.scene(), .lights = lab.targets().lights, .features = lab.device().features, .report = lab.report()};
+      .scene = lab.scene(), .lights = lab.lights(), .features = lab.device().features, .report = lab.report()};
   for (int v = 0; v < kViewCount; ++v) input.images[v] = lab.handle_of(static_cast<View>(v));
   input.error = lab.error_stats();
   return input;

@@ -56,6 +56,8 @@ class Lab {
   const Settings& drawn() const { return drawn_; }
   const FrameReport& report() const { return report_; }
   const Targets& targets() const { return targets_; }
+  const std::vector<Light>& lights() const;  // of the frame drawn last; none before the first
+  std::shared_ptr<const ResolvedFrame> resolve(const Settings& s) { return renderer_.resolve(s, *gpu_scene_); }
   Image image_of(View) const;  // of the view drawn last; waits for the GPU
   ui::ViewImage handle_of(View) const;
   Canvas copy_of(View) const;  // keeps a picture that the next draw would overwrite

@@ -75,7 +75,10 @@ Setup setup_of(const Arguments& a) {
     apply_scene(s, *a.scene, *setup.scene);
   }
   if (a.camera) apply_camera(s, *a.camera);
-  if (a.lights) apply_patch(s, {{"lights.count", *a.lights}, {"lights.source", "generated"}}, "--lights");
+  if (a.lights) {
+    apply_patch(s, {{"lights.count", *a.lights}}, "--lights");
+    option("lights.count").implies(s);
+  }
   if (a.rig) {
     rig_lights(*a.rig);  // refused here, with its place, rather than at the first frame
     apply_patch(s, {{"lights.rig", *a.rig}, {"lights.source", "rig"}}, "--rig");

@@ -7,7 +7,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/resources.h"
 #include "renderer/base/size_text.h"
-#include "renderer/frame/frame_lights.h"
 
 namespace gbl {
 namespace {
@@ -26,10 +25,10 @@ Settings without_view(Settings s) {
 
 Settings Viewer::affordable(const Settings& s, bool moving) {
   Settings out = s;
-  const std::vector<Light> lights = lights_of(s, lab_.scene());
-  const double predicted = lab_.cost().predict_ms(s, lights);
+  const std::shared_ptr<const ResolvedFrame> frame = lab_.resolve(s);
+  const double predicted = lab_.cost().predict_ms(*frame);
   if (moving && predicted > kMovingBudgetMs && lab_.device().software) out.size = glm::max(s.size / 2, glm::ivec2(1));
-  const glm::ivec2 size = lab_.cost().affordable_size(out, lights, kStillBudgetMs);
+  const glm::ivec2 size = lab_.cost().affordable_size(*frame, out.size, kStillBudgetMs);
   banner_ =
       size == out.size ? "" : fmt::format("predicted {:.1f} s a frame: drawn at {}", predicted / 1000, size_text(size));
   out.size = size;

@@ -80,11 +80,37 @@ work_to_do() {
   [[ $planned != *"no work to do"* ]]
 }
 
-# build PRESET [TARGET]: one line says so if there is anything to do; a terminal also gets ninja's one moving line.
+# progress: from ninja's lines, one line every ten seconds; what is no such line (a warning, an error) passes at once.
+progress() {
+  local line done=0 all=? said=$SECONDS
+  while true; do
+    if IFS= read -r -t 1 line; then
+      if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
+        done=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+      else
+        printf '%s\n' "$line" >&2
+      fi
+    elif (($? <= 128)); then  # the end; above it is a second without a line
+      return
+    fi
+    if ((SECONDS - said >= 10)); then
+      said=$SECONDS
+      say "built $done of $all files"
+    fi
+  done
+}
+
+# build PRESET [TARGET]: says so if there is anything to do. A terminal gets ninja's one moving line, others a line
+# every ten seconds.
 build() {
-  local folder=$root/build/$1 target=${2:-all} quiet=(--quiet)
+  local folder=$root/build/$1 target=${2:-all} status=0
   if ! work_to_do "$folder" "$target"; then return; fi
   say "building ${2:-everything} (build/$1)"
-  if [[ -t 2 ]]; then quiet=(); fi
-  NINJA_STATUS='[%f/%t] ' cmake --build "$folder" --target "$target" -- "${quiet[@]}" >&2 || die "the build failed"
+  export NINJA_STATUS='[%f/%t] '
+  if [[ -t 2 ]]; then
+    cmake --build "$folder" --target "$target" >&2 || status=$?
+  else
+    cmake --build "$folder" --target "$target" 2>&1 </dev/null | progress || status=$?
+  fi
+  ((status == 0)) || die "the build failed"
 }

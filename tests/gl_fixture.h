@@ -108,7 +108,7 @@ inline std::vector<uint8_t> stored_bytes(const gl::Texture& t) {
 // Everything a frame has stored, `lit` included, in the order of attachments().
 inline std::vector<std::vector<uint8_t>> stored(const Targets& targets) {
   std::vector<std::vector<uint8_t>> out;
-  for (const Attachment& a : targets.attachments()) out.push_back(stored_bytes(*targets.texture(a.stores)));
+  for (const Attachment& a : targets.frame.attachments()) out.push_back(stored_bytes(*targets.frame.texture(a.stores)));
   return out;
 }
 
@@ -130,7 +130,7 @@ struct Stage {
   FrameReport draw(const Settings& s) { return renderer.render(s, scene, targets); }
   Picture lit(const Settings& s) {
     draw(s);
-    return picture_of(*targets.texture(Stores::lit));
+    return picture_of(*targets.frame.texture(Stores::lit));
   }
   PairCounts pairs(const Settings& s) {
     FrameReport report = draw(s);
@@ -140,7 +140,7 @@ struct Stage {
   }
   Image view(View v, const Settings& s, ViewOptions options = {}) {
     renderer.draw_view(v, s, scene, targets, options);
-    const gl::Texture& t = targets.drawn_view(v)->texture;
+    const gl::Texture& t = targets.canvases.drawn_view(v)->texture;
     return image_from_gl_rows(t.size, gl::read_rgba8(t));
   }
 };

@@ -32,16 +32,6 @@ std::string plain_text(const OptionValue& v, int digits = 6) {
   return fmt::format("[{}]", text);
 }
 
-// Which choice puts this option out of use.
-std::string why_unused(const Option& o, const Settings& s) {
-  const std::string_view path = o.path;
-  if (path == "range.threshold") return fmt::format("range {}", row(s.range.kind).label);
-  if (path == "tangents") return "a frame without normal maps";
-  if (path == "position.reconstruct" && s.position.source != PositionSource::depth)
-    return fmt::format("position source {}", row(s.position.source).label);
-  return fmt::format("method {}", row(s.lights.method).label);
-}
-
 }  // namespace
 
 std::string capitalised(std::string_view text) {
@@ -77,11 +67,10 @@ Sentence describe_step(const Option& o, const Settings& before, const Settings& 
   Sentence s{fmt::format("{}: {} → {}. {}{}", o.label, from.label, to.label, with_full_stop(capitalised(to.help)),
                          cost_sentence(from, to)),
              ""};
-  const bool of_volumes = std::string_view(o.path).starts_with("lights.");
-  if (!in_use(o, after) && of_volumes && after.lights.method == LightMethod::auto_)
+  if (!in_use(o, after) && o.use->by_lighting && after.lights.method == LightMethod::auto_)
     s.text += " The automatic method draws volumes only while this choice is sound.";
   else if (!in_use(o, after))
-    s.text += fmt::format(" No effect as things stand: {} does not use it.", why_unused(o, after));
+    s.text += fmt::format(" No effect as things stand: {} does not use it.", o.use->who_does_not(after));
   else
     s.pitfall = id_of(to.pitfall);
   return s;

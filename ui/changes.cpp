@@ -55,7 +55,6 @@ void edit(FrameContext& f, const std::function<void(Settings&)>& change) {
 }
 
 namespace {
-// Who asks for a number of lights means generated ones, as --lights does: a scene's own have no number to change.
 // The next row that makes sense as things stand: `rig` needs a rig's file first.
 void step_choice(const Option& o, Settings& s, int step, FeatureSet features) {
   for (size_t tries = 0; tries < o.values.size(); ++tries) {
@@ -63,17 +62,13 @@ void step_choice(const Option& o, Settings& s, int step, FeatureSet features) {
     if (validate(s, {features}).empty()) return;
   }
 }
-
-void imply(const Option& o, Settings& s) {
-  if (std::string_view(o.path) == "lights.count") s.lights.source = LightSource::generated;
-}
 }  // namespace
 
 void edit_option(FrameContext& f, const Option& o, const OptionValue& value) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
     o.set(s, value, o);
-    imply(o, s);
+    if (o.implies) o.implies(s);
   });
   if (!done) return;
   if (o.get(before) != o.get(f.settings)) say(f, describe_step(o, before, f.settings));
@@ -94,7 +89,7 @@ void step_option(FrameContext& f, const Option& o, int step) {
       step_choice(o, s, step, f.input.features);
     else if (o.kind == Kind::integer)
       o.set(s, next_power(static_cast<int>(std::get<Number>(o.get(s)).value), step, static_cast<int>(o.max)), o);
-    imply(o, s);
+    if (o.implies) o.implies(s);
   });
   if (done) say(f, describe_step(o, before, f.settings));
 }

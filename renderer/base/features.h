@@ -29,6 +29,7 @@ class FeatureSet {
   constexpr bool has(Feature f) const { return f == Feature::none || (bits_ >> int(f)) & 1u; }
   constexpr void add(Feature f) { bits_ |= 1u << int(f); }
   constexpr void remove(Feature f) { bits_ &= ~(1u << int(f)); }
+  constexpr bool operator==(const FeatureSet&) const = default;
 
  private:
   uint32_t bits_ = 0;

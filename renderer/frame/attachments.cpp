@@ -59,13 +59,6 @@ Format depth_format(const Settings& s) {
   return plain == Format::d24 ? Format::d24s8 : plain == Format::d32f ? Format::d32fs8 : plain;
 }
 
-int bytes_per_pixel(const Settings& s, Pass pass) {
-  int bytes = 0;
-  for (const Attachment& a : attachments(s))
-    if (a.written_by == pass) bytes += row(a.format).bytes;
-  return bytes;
-}
-
 bool split(const Settings& s) { return s.accumulation.targets == AccumulationTargets::split; }
 
 void append_material(const Settings& s, std::vector<Attachment>& all) {
@@ -91,7 +84,7 @@ void append_light(const Settings& s, std::vector<Attachment>& all) {
   } else if (!sum_begins_in_geometry(s)) {
     all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
   }
-  if (lighting_has_depth(s))
+  if (lighting_tests_depth(s) || needs_stencil(s))
     all.push_back({"light.depth", Pass::lighting, Stores::light_depth, depth_format(s),
                    needs_stencil(s) ? "a copy of the depth; stencil: marks" : "a copy of the depth"});
 }
@@ -134,8 +127,6 @@ bool needs_stencil(const Settings& s) {
          (s.background.skip == BackgroundSkip::stencil && shading_of(s.lights.method) != Shading::forward);
 }
 
-bool lighting_has_depth(const Settings& s) { return lighting_tests_depth(s) || needs_stencil(s); }
-
 bool lighting_tests_depth(const Settings& s) {
   return facts(s.lights.method).compares_depth ||
          (draws_chosen_faces(s.lights.method) && s.lights.volume.depth != VolumeDepth::none);
@@ -154,7 +145,11 @@ const Attachment* find(const std::vector<Attachment>& all, Stores what) {
   return nullptr;
 }
 
-int gbuffer_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(s, Pass::geometry); }
-int accumulation_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(s, Pass::lighting); }
+int bytes_per_pixel(const std::vector<Attachment>& all, Pass pass) {
+  int bytes = 0;
+  for (const Attachment& a : all)
+    if (a.written_by == pass) bytes += row(a.format).bytes;
+  return bytes;
+}
 
 }  // namespace gbl

@@ -23,14 +23,14 @@ bool needs_stencil(const Settings&);
 // Does the lighting compare depths? Then it has a copy of the G-buffer's: to sample a texture while it is attached is
 // not allowed everywhere (WebGL 2 refuses it even with writes off).
 bool lighting_tests_depth(const Settings&);
-bool lighting_has_depth(const Settings&);  // that, or the stencil beside it
 
 // The difference of window depth that rounding can hide between a surface and a volume's face. 0: nobody compares them.
 double volume_depth_step(const Settings&);
 
-// Every target that the geometry pass writes, depth included, as stored; accumulation apart.
-int gbuffer_bytes_per_pixel(const Settings&);
-int accumulation_bytes_per_pixel(const Settings&);
+// Of every target that a pass writes, as stored; the geometry's with depth.
+int bytes_per_pixel(const std::vector<Attachment>&, Pass);
+inline int gbuffer_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(attachments(s), Pass::geometry); }
+inline int accumulation_bytes_per_pixel(const Settings& s) { return bytes_per_pixel(attachments(s), Pass::lighting); }
 
 // Do material and normal share one attachment under these settings?
 bool normal_in_material(const Settings&);

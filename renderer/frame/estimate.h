@@ -3,10 +3,12 @@
 // 16 384 lights can take minutes on a software driver, and a window must not freeze for that.
 #include <vector>
 
-#include "renderer/light/lights.h"
 #include "renderer/options/settings.h"
+#include "renderer/scene/scene.h"
 
 namespace gbl {
+
+struct ResolvedFrame;
 
 // How many pairs of pixel and light there are of each sort: everything that the methods' work follows from.
 struct LightsInView {
@@ -18,6 +20,7 @@ struct LightsInView {
   double in_clusters = 0;       // … and of their clusters
   double volume_triangles = 0;  // of one volume's mesh
 };
+// Of many lights every so manieth stands for all, so that a window can ask in every frame.
 LightsInView lights_in_view(const Settings&, const std::vector<Light>&);
 
 struct LightWork {
@@ -34,13 +37,14 @@ class FrameCost {
  public:
   explicit FrameCost(bool software_driver);
   void learn(double work, double lighting_ms);
-  double predict_ms(const Settings&, const std::vector<Light>&) const;
+  double predict_ms(const ResolvedFrame&) const;
 
   // The size at which the frame is predicted to stay within budget_ms: the size asked for, or smaller in the same
   // proportions, never below 64 pixels a side.
-  glm::ivec2 affordable_size(const Settings&, const std::vector<Light>&, double budget_ms) const;
+  glm::ivec2 affordable_size(const ResolvedFrame&, glm::ivec2 asked, double budget_ms) const;
 
  private:
+  double ms_of(double work, glm::ivec2 size) const;
   double ns_per_unit_;
   double ns_per_pixel_;  // all passes but lighting
 };

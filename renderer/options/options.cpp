@@ -123,6 +123,29 @@ OptionList list_of(const std::vector<std::string>& ids) { return OptionList(ids.
 
 constexpr double kFar = 1e9;  // world units; a bound for numbers that only have to be sane
 
+std::string method_in_words(const Settings& s) { return fmt::format("method {}", row(s.lights.method).label); }
+
+// Where nothing is stored, how it is stored means nothing.
+bool stores_surfaces(const Settings& s) { return shading_of(s.lights.method) != Shading::forward; }
+
+constexpr Use kByGbuffer = {stores_surfaces, method_in_words};
+constexpr Use kByReconstruction = {
+    [](const Settings& s) { return stores_surfaces(s) && s.position.source == PositionSource::depth; },
+    [](const Settings& s) {
+      return s.position.source == PositionSource::depth
+                 ? method_in_words(s)
+                 : fmt::format("position source {}", row(s.position.source).label);
+    }};
+// The stencil method draws both faces against the depth, whatever is chosen: to it only the mesh means something.
+constexpr Use kByChosenFaces = {[](const Settings& s) { return draws_chosen_faces(s.lights.method); }, method_in_words,
+                                true};
+constexpr Use kByMeshes = {[](const Settings& s) { return facts(s.lights.method).draws_meshes; }, method_in_words,
+                           true};
+constexpr Use kByNormalMaps = {[](const Settings& s) { return s.normal_map == NormalMap::on; },
+                               [](const Settings&) -> std::string { return "a frame without normal maps"; }};
+constexpr Use kByThreshold = {[](const Settings& s) { return s.range.kind == RangeKind::threshold; },
+                              [](const Settings& s) { return fmt::format("range {}", row(s.range.kind).label); }};
+
 // clang-format off
 const Option kOptions[] = {
   {.path = "scene", .group = Group::truth, .label = "Scene", .help = "builtin:NAME, or a model's file", TEXT(scene)},
@@ -136,7 +159,7 @@ const Option kOptions[] = {
   {.path = "size", .group = Group::truth, .label = "Size", .help = "width and height of the frame", .unit = "pixels", .kind = Kind::vector, .min = 1, .max = 16384, .get = GET((OptionList{s.size.x, s.size.y})), .set = SET(s.size = checked_size(o, v))},
   {.path = "lights.source", .group = Group::truth, .label = "Lights from", .help = "where the lights come from", CHOICE(LightSource, lights.source)},
   {.path = "lights.rig", .group = Group::truth, .label = "Lighting rig", .help = "a rig's file; needs a light source that reads it", TEXT(lights.rig)},
-  {.path = "lights.count", .group = Group::truth, .label = "Lights", .help = "how many lights are generated", .key = "[ ]", INTEGER(lights.count, 0, kMaxLights)},
+  {.path = "lights.count", .group = Group::truth, .label = "Lights", .help = "how many lights are generated", .key = "[ ]", INTEGER(lights.count, 0, kMaxLights), .implies = [](Settings& s) { s.lights.source = LightSource::generated; }},
   {.path = "lights.seed", .group = Group::truth, .label = "Seed", .help = "of the generated lights' colours and places", .kind = Kind::integer, .min = 0, .max = 4294967295.0, .get = GET(s.lights.seed), .set = SET(s.lights.seed = static_cast<unsigned>(checked_whole(o, v)))},
   {.path = "lights.range-scale", .group = Group::truth, .label = "Range scale", .help = "multiplies every light's range", NUMBER(lights.range_scale, 1e-3, 1e3)},
   {.path = "lights.only", .group = Group::truth, .label = "Only light", .help = "this light alone; -1 = all", INTEGER(lights.only, -1, kMaxLights - 1)},
@@ -145,7 +168,7 @@ const Option kOptions[] = {
   {.path = "lights.markers", .group = Group::truth, .label = "Light cubes", .help = "forward draws after the lighting: they need the scene's depth", CHOICE(LightMarkers, lights.markers)},
   {.path = "attenuation", .group = Group::truth, .label = "Attenuation", .help = "how light falls off with distance", .key = "T", CHOICE(Attenuation, attenuation)},
   {.path = "range.kind", .group = Group::truth, .label = "Range", .help = "where a light ends", .key = "R", CHOICE(RangeKind, range.kind)},
-  {.path = "range.threshold", .group = Group::truth, .label = "Range threshold", .help = "where range.kind=threshold ends a light", NUMBER(range.threshold, 1e-6, 1)},
+  {.path = "range.threshold", .group = Group::truth, .label = "Range threshold", .help = "where range.kind=threshold ends a light", NUMBER(range.threshold, 1e-6, 1), .use = &kByThreshold},
   {.path = "shading.model", .group = Group::truth, .label = "Shading", .help = "the surface's reflection", .key = "K", CHOICE(ShadingModel, shading.model)},
   {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_value, .set = SET(s.shading.exponent = checked_exponent(o, v))},
   {.path = "shading.specular", .group = Group::truth, .label = "Specular", .help = "factor of the highlight", NUMBER(shading.specular, 0, 100)},
@@ -156,22 +179,22 @@ const Option kOptions[] = {
   {.path = "albedo", .group = Group::truth, .label = "Albedo", .help = "the surface's own colour, or white", CHOICE(AlbedoSource, albedo)},
   {.path = "exposure", .group = Group::truth, .label = "Exposure", .help = "factor before the display transform", NUMBER(exposure, 1e-6, 1e6)},
   {.path = "colour", .group = Group::truth, .label = "Colour", .help = "how texels are read and the picture is shown", CHOICE(Colour, colour)},
-  {.path = "layout", .group = Group::method, .label = "Layout", .help = "how the material is packed", .key = "L", CHOICE(Layout, layout)},
-  {.path = "normal.encoding", .group = Group::method, .label = "Normal", .help = "how the normal is stored", .key = "N", CHOICE(NormalEncoding, normal.encoding)},
-  {.path = "normal.space", .group = Group::method, .label = "Normal space", .help = "the axes that normals are stored along", CHOICE(NormalSpace, normal.space)},
-  {.path = "position.source", .group = Group::method, .label = "Position source", .help = "where the lighting gets its position", CHOICE(PositionSource, position.source)},
-  {.path = "position.reconstruct", .group = Group::method, .label = "Position", .help = "how depth becomes a position", .key = "Z", CHOICE(PositionReconstruct, position.reconstruct)},
+  {.path = "layout", .group = Group::method, .label = "Layout", .help = "how the material is packed", .key = "L", CHOICE(Layout, layout), .use = &kByGbuffer},
+  {.path = "normal.encoding", .group = Group::method, .label = "Normal", .help = "how the normal is stored", .key = "N", CHOICE(NormalEncoding, normal.encoding), .use = &kByGbuffer},
+  {.path = "normal.space", .group = Group::method, .label = "Normal space", .help = "the axes that normals are stored along", CHOICE(NormalSpace, normal.space), .use = &kByGbuffer},
+  {.path = "position.source", .group = Group::method, .label = "Position source", .help = "where the lighting gets its position", CHOICE(PositionSource, position.source), .use = &kByGbuffer},
+  {.path = "position.reconstruct", .group = Group::method, .label = "Position", .help = "how depth becomes a position", .key = "Z", CHOICE(PositionReconstruct, position.reconstruct), .use = &kByReconstruction},
   {.path = "depth.format", .group = Group::method, .label = "Depth format", .help = "of the depth attachment", CHOICE(DepthFormat, depth.format)},
   {.path = "lights.method", .group = Group::method, .label = "Method", .help = "which (pixel, light) pairs are shaded", .key = "M", CHOICE(LightMethod, lights.method)},
-  {.path = "lights.cull", .group = Group::method, .label = "Cull", .help = "which faces of a light volume are drawn", .key = "C", CHOICE(LightCull, lights.cull)},
-  {.path = "lights.volume.level", .group = Group::method, .label = "Volume level", .help = "icosphere subdivisions", CHOICE(VolumeLevel, lights.volume.level)},
-  {.path = "lights.volume.fit", .group = Group::method, .label = "Volume fit", .help = "mesh inside or around the sphere", CHOICE(VolumeFit, lights.volume.fit)},
-  {.path = "lights.volume.clip", .group = Group::method, .label = "Volume clip", .help = "whether near and far planes cut a volume", CHOICE(VolumeClip, lights.volume.clip)},
-  {.path = "lights.volume.depth", .group = Group::method, .label = "Volume depth test", .help = "whether a volume is tested against the scene's depth", CHOICE(VolumeDepth, lights.volume.depth)},
-  {.path = "accumulation.format", .group = Group::method, .label = "Accumulation", .help = "what light is summed in", .key = "F", CHOICE(AccumulationFormat, accumulation.format)},
-  {.path = "accumulation.targets", .group = Group::method, .label = "Light targets", .help = "diffuse and specular together or apart", CHOICE(AccumulationTargets, accumulation.targets)},
-  {.path = "background.skip", .group = Group::method, .label = "Background skip", .help = "how pixels without a surface are left out", CHOICE(BackgroundSkip, background.skip)},
-  {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents)},
+  {.path = "lights.cull", .group = Group::method, .label = "Cull", .help = "which faces of a light volume are drawn", .key = "C", CHOICE(LightCull, lights.cull), .use = &kByChosenFaces},
+  {.path = "lights.volume.level", .group = Group::method, .label = "Volume level", .help = "icosphere subdivisions", CHOICE(VolumeLevel, lights.volume.level), .use = &kByMeshes},
+  {.path = "lights.volume.fit", .group = Group::method, .label = "Volume fit", .help = "mesh inside or around the sphere", CHOICE(VolumeFit, lights.volume.fit), .use = &kByMeshes},
+  {.path = "lights.volume.clip", .group = Group::method, .label = "Volume clip", .help = "whether near and far planes cut a volume", CHOICE(VolumeClip, lights.volume.clip), .use = &kByChosenFaces},
+  {.path = "lights.volume.depth", .group = Group::method, .label = "Volume depth test", .help = "whether a volume is tested against the scene's depth", CHOICE(VolumeDepth, lights.volume.depth), .use = &kByChosenFaces},
+  {.path = "accumulation.format", .group = Group::method, .label = "Accumulation", .help = "what light is summed in", .key = "F", CHOICE(AccumulationFormat, accumulation.format), .use = &kByGbuffer},
+  {.path = "accumulation.targets", .group = Group::method, .label = "Light targets", .help = "diffuse and specular together or apart", CHOICE(AccumulationTargets, accumulation.targets), .use = &kByGbuffer},
+  {.path = "background.skip", .group = Group::method, .label = "Background skip", .help = "how pixels without a surface are left out", CHOICE(BackgroundSkip, background.skip), .use = &kByGbuffer},
+  {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents), .use = &kByNormalMaps},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},
   {.path = "mistakes", .group = Group::method, .label = "Mistakes", .help = "deliberate errors, by id", .kind = Kind::set, .get = GET(list_of(ids_of(s.mistakes))), .set = SET(s.mistakes = checked_mistakes(o, v))},
@@ -218,6 +241,8 @@ void apply_patch(Settings& s, const std::vector<Assignment>& patch, std::string_
 }
 
 int chosen(const Option& o, const Settings& s) { return parse_id(o.values, std::get<std::string>(o.get(s)), o.path); }
+
+bool in_use(const Option& o, const Settings& s) { return !o.use || o.use->now(s); }
 
 void cycle(const Option& o, Settings& s, int step, FeatureSet available) {
   const int n = static_cast<int>(o.values.size());

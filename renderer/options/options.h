@@ -14,6 +14,13 @@ namespace gbl {
 enum class Group { truth, method, view };
 enum class Kind { choice, integer, number, text, vector, set };
 
+// When an option changes anything; else what it is that does not use it, in words: "method forward".
+struct Use {
+  bool (*now)(const Settings&);
+  std::string (*who_does_not)(const Settings&);
+  bool by_lighting = false;  // only by lighting that draws volumes
+};
+
 struct Option {
   const char* path;
   Group group;
@@ -26,6 +33,9 @@ struct Option {
   double min = 0, max = 0;                // of integer, number and each member of a vector; both ends allowed
   OptionValue (*get)(const Settings&) = nullptr;
   void (*set)(Settings&, const OptionValue&, const Option&) = nullptr;  // throws Error naming the path
+  const Use* use = nullptr;                                             // null: always in use
+  // What else is meant by whoever sets it by hand: a number of lights means generated ones.
+  void (*implies)(Settings&) = nullptr;
 };
 
 std::span<const Option> options();

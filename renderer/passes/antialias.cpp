@@ -3,11 +3,10 @@
 
 namespace gbl {
 
-int draw_edge_blur(const Frame& frame) {
-  Targets& t = frame.targets;
+int draw_edge_blur(Frame& frame) {
   const glm::ivec2 size = frame.settings.size;
-  const gl::Framebuffer& lit = t.framebuffer(Pass::combine);
-  Canvas& unblurred = t.unblurred();
+  const gl::Framebuffer& lit = frame.framebuffer(Pass::combine);
+  Canvas& unblurred = frame.targets().canvases.unblurred();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, lit.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, unblurred.framebuffer.id());
   gl::apply({});

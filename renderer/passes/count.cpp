@@ -18,13 +18,14 @@ const gl::Framebuffer& clear_counts(const gl::Framebuffer& counts) {
 }  // namespace
 
 void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& targets, bool lit_too) {
-  const Frame frame = frame_of(s, scene, targets);
+  Frame frame = frame_of(s, scene, targets);
+  Canvases& canvases = targets.canvases;
   const gl::PassScope scope(targets.timers, "count");
-  if (shading_of(s.lights.method) == Shading::forward)
-    draw_forward(frame, LightOutput::count, clear_counts(targets.counts_with_depth()));
+  if (frame.resolved.shading == Shading::forward)
+    draw_forward(frame, LightOutput::count, clear_counts(canvases.counts_with_depth(targets.frame)));
   else
-    draw_lighting(frame, LightOutput::count, targets.counts().framebuffer);
-  begin_drawing(targets.counts_lit().framebuffer, s.size, {});
+    draw_lighting(frame, LightOutput::count, canvases.counts(targets.frame).framebuffer);
+  begin_drawing(canvases.counts_lit().framebuffer, s.size, {});
   if (lit_too) {
     bind_gbuffer(frame);
     bind_lights(frame);
@@ -34,35 +35,35 @@ void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& ta
     constexpr float kZero[4] = {};
     glClearBufferfv(GL_COLOR, 0, kZero);
   }
-  Canvas& sums = targets.count_sums();
+  Canvas& sums = canvases.count_sums();
   begin_drawing(sums.framebuffer, sums.texture.size, {});
-  gl::bind_texture("counts", targets.counts().texture);
-  gl::bind_texture("counts_lit", targets.counts_lit().texture);
+  gl::bind_texture("counts", canvases.counts().texture);
+  gl::bind_texture("counts_lit", canvases.counts_lit().texture);
   glUseProgram(programs_.get("fullscreen.vert", "count_reduce.frag", {}).id());
   shapes_.draw_fullscreen();
-  targets.count_read.start(sums.texture);
-  targets.counts_valid = true;
-  targets.counts_lit_valid = lit_too;
+  targets.reads.counts.start(sums.texture);
+  canvases.counts_valid = true;
+  canvases.counts_lit_valid = lit_too;
 }
 
 void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& targets, glm::ivec2 pixel) {
-  if (!targets.counts_valid) count_pairs(s, scene, targets, false);
-  const Frame frame = frame_of(s, scene, targets);
+  if (!targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
+  Frame frame = frame_of(s, scene, targets);
   gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", frame.split()});
+  defines.push_back({"SPLIT", frame.resolved.split});
   const gl::Program& program = programs_.get("fullscreen.vert", "probe.frag", defines);
   draw_ids(frame);
-  Canvas& canvas = targets.probe();
+  Canvas& canvas = targets.canvases.probe();
   begin_drawing(canvas.framebuffer, canvas.texture.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture("lit", *targets.texture(Stores::lit));
-  gl::bind_texture("counts", targets.counts().texture);
-  gl::bind_texture("ids", targets.ids().texture);
+  gl::bind_texture("lit", frame.texture(Stores::lit));
+  gl::bind_texture("counts", targets.canvases.counts().texture);
+  gl::bind_texture("ids", targets.canvases.ids().texture);
   glUseProgram(program.id());
   glUniform2i(program.uniform("pixel"), pixel.x, s.size.y - 1 - pixel.y);
   shapes_.draw_fullscreen();
-  targets.probe_read.start(canvas.texture);
+  targets.reads.probe.start(canvas.texture);
 }
 
 }  // namespace gbl

@@ -15,8 +15,6 @@ int draw_depth(const Frame& frame, const std::vector<ObjectDraw>& draws, const g
   return draw_objects(frame, draws, "depth_only.frag", frame.surface_defines());
 }
 
-int light_count(const Frame& frame) { return static_cast<int>(frame.targets.lights.size()); }
-
 int draw_visible(const Frame& frame, const std::vector<ObjectDraw>& draws, const gl::Framebuffer& into,
                  const ShadedDraw& draw, gl::Blend blend) {
   begin_drawing(into, frame.settings.size, depth_tested(frame, DepthTest::equal, {.blend = blend}));
@@ -27,7 +25,7 @@ int draw_light_by_light(const Frame& frame, const std::vector<ObjectDraw>& draws
                         LightOutput output) {
   int calls = 0;
   if (output == LightOutput::sum) calls += draw_visible(frame, draws, into, {output, {0, 0}, true}, gl::Blend::off);
-  for (int i = 0; i < light_count(frame); ++i)
+  for (int i = 0; i < frame.light_count(); ++i)
     calls += draw_visible(frame, draws, into, {output, {i, i + 1}, false}, gl::Blend::add_colour);
   return calls;
 }
@@ -38,14 +36,14 @@ int draw_shaded_objects(const Frame& frame, const std::vector<ObjectDraw>& draws
   bind_lights(frame);
   gl::Defines defines = frame.shaded_defines();
   defines.push_back({"OUTPUT", static_cast<int>(draw.output)});
-  const glm::ivec2 span = glm::min(draw.lights, glm::ivec2(light_count(frame)));
+  const glm::ivec2 span = glm::min(draw.lights, glm::ivec2(frame.light_count()));
   return draw_objects(frame, draws, "forward.frag", defines, [&](const gl::Program& program) {
     glUniform2i(program.uniform("light_span"), span.x, span.y);
     glUniform1f(program.find_uniform("ambient_share"), draw.ambient ? 1 : 0);
   });
 }
 
-int draw_forward(const Frame& frame, LightOutput output, const gl::Framebuffer& into) {
+int draw_forward(Frame& frame, LightOutput output, const gl::Framebuffer& into) {
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
   const LightMethod method = frame.settings.lights.method;
   if (method == LightMethod::forward) {
@@ -61,6 +59,11 @@ int draw_forward(const Frame& frame, LightOutput output, const gl::Framebuffer& 
   if (method == LightMethod::forward_multipass) return calls + draw_light_by_light(frame, draws, into, output);
   return calls + draw_visible(frame, draws, into, {.output = output},
                               output == LightOutput::count ? gl::Blend::add : gl::Blend::off);
+}
+
+int draw_forward_frame(Frame& frame) {
+  const gl::Framebuffer& lit = frame.framebuffer(Pass::combine);
+  return draw_background(frame, lit) + draw_forward(frame, LightOutput::sum, lit);
 }
 
 }  // namespace gbl

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "renderer/frame/frame_report.h"
+#include "renderer/frame/resolved_frame.h"
 #include "renderer/passes/gpu_scene.h"
 #include "renderer/passes/programs.h"
 #include "renderer/passes/shapes.h"
@@ -11,24 +12,36 @@
 
 namespace gbl {
 
-// The facts of one frame, computed once and read by every pass.
-struct Frame {
-  Settings settings;  // lights.method=auto is resolved
-  const GpuScene& scene;
-  Targets& targets;
-  ProgramCache& programs;
-  Shapes& shapes;
-  double aspect;
-  glm::dmat4 clip_from_relative;
+// One frame as the passes see it: what it means, what it is drawn from and into. A pass that only reads takes it const:
+// what it may change then is the GPU's state alone.
+class Frame {
+ public:
+  Frame(std::shared_ptr<const ResolvedFrame> r, const Settings::View& v, const GpuScene& s, Targets& t, ProgramCache& p,
+        Shapes& sh)
+      : resolved(*r), settings(r->settings), view(v), scene(s), programs(p), shapes(sh), targets_(t), held_(r) {}
 
-  DepthRuns depth_runs() const;
-  bool split() const;  // are diffuse and specular light kept apart?
-  bool mistaken(Mistake) const;
+  const ResolvedFrame& resolved;
+  const Settings& settings;    // resolved.settings
+  const Settings::View& view;  // what is looked at
+  const GpuScene& scene;
+  ProgramCache& programs;  // compiled at first use
+  Shapes& shapes;          // made at first use
+
+  Targets& targets() { return targets_; }
+  const Targets& targets() const { return targets_; }
+  const std::vector<Light>& lights() const { return resolved.lights; }
+  int light_count() const { return static_cast<int>(resolved.lights.size()); }
+  const gl::Texture& texture(Stores what) const { return *targets_.frame.texture(what); }  // must be stored
+  const gl::Framebuffer& framebuffer(Pass pass) const { return targets_.frame.framebuffer(pass); }
   glm::vec3 background() const;  // linear; the sky's is a function of direction, in the shader
 
   gl::Defines defines() const;          // of every program that reads the G-buffer or the lights
   gl::Defines surface_defines() const;  // of those that draw objects into the G-buffer
   gl::Defines shaded_defines() const;   // of those that shade objects as they draw them
+
+ private:
+  Targets& targets_;
+  std::shared_ptr<const ResolvedFrame> held_;
 };
 
 struct TruthTextures;
@@ -45,6 +58,10 @@ using ProbeValues = std::array<glm::vec4, 8>;
 
 class Renderer {
  public:
+  // What these settings mean for this scene on this device; worked out once until something changes.
+  std::shared_ptr<const ResolvedFrame> resolve(const Settings&, const GpuScene&);
+  const Resolver& resolver() const { return resolver_; }
+
   // Draw the frame up to `lit`. There is no other state than the arguments': two Settings drawn in turn give the
   // bits of separate runs. Throws Error.
   FrameReport render(const Settings&, const GpuScene&, Targets&);
@@ -69,7 +86,10 @@ class Renderer {
   void reload_shaders() { programs_.reload(); }
 
  private:
+  // With its facts uploaded: views, counts and probes may follow a frame of other settings on the same device, so each
+  // of them uploads anew, a few hundred bytes.
   Frame frame_of(const Settings&, const GpuScene&, Targets&);
+  Resolver resolver_;
   ProgramCache programs_;
   Shapes shapes_;
 };

@@ -9,7 +9,7 @@ void clear_gbuffer(const Frame& frame) {
   int buffer = 0;
   const glm::vec4 clear =
       frame.settings.background.skip == BackgroundSkip::none ? glm::vec4(frame.background(), 1) : glm::vec4(0);
-  for (const Attachment& a : frame.targets.attachments()) {
+  for (const Attachment& a : frame.resolved.attachments) {
     constexpr GLuint kZeroCodes[4] = {};
     if (a.written_by != Pass::geometry || a.stores == Stores::depth) continue;
     if (row(a.format).numeric == Numeric::uint)
@@ -22,11 +22,11 @@ void clear_gbuffer(const Frame& frame) {
 
 }  // namespace
 
-int draw_geometry(const Frame& frame) {
+int draw_geometry(Frame& frame) {
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
-  Targets& t = frame.targets;
+  const FrameTextures& t = frame.targets().frame;
   gl::PassState state{.depth_write = true};
-  if (frame.mistaken(Mistake::blend_on_in_fill)) state.blend = gl::Blend::alpha;
+  if (frame.resolved.mistaken(Mistake::blend_on_in_fill)) state.blend = gl::Blend::alpha;
   if (frame.settings.background.skip == BackgroundSkip::stencil) state.stencil = gl::Stencil::mark_surface;
   begin_drawing(t.geometry_framebuffer(), frame.settings.size, depth_tested(frame, gl::DepthTest::less, state));
   clear_gbuffer(frame);
@@ -35,9 +35,9 @@ int draw_geometry(const Frame& frame) {
   return calls;
 }
 
-int draw_materials_over_light(const Frame& frame) {
+int draw_materials_over_light(Frame& frame) {
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
-  const gl::Framebuffer& lit = frame.targets.framebuffer(Pass::combine);
+  const gl::Framebuffer& lit = frame.framebuffer(Pass::combine);
   int calls = draw_background(frame, lit);
   begin_drawing(lit, frame.settings.size, depth_tested(frame, gl::DepthTest::equal, {}));
   bind_light_sums(frame);

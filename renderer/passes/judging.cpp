@@ -107,7 +107,7 @@ void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   desc.depth = &depth_;
   framebuffer_ = gl::make_framebuffer(desc);
   renderer.render(settings_, scene, targets_);
-  witness_read_.start(*targets_.texture(Stores::lit));
+  witness_read_.start(*targets_.frame.texture(Stores::lit));
   renderer.draw_seen(settings_, scene, targets_, framebuffer_);
   for (size_t k = 0; k < seen_.size(); ++k) reads_[k].start(seen_[k]);
   asked_ = true;
@@ -147,7 +147,7 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
 }
 
 std::vector<glm::vec3> read_lit(const Targets& t) {
-  return rows_from_top<glm::vec3>(t.size(), gl::read_rgba32f(*t.texture(Stores::lit)));
+  return rows_from_top<glm::vec3>(t.frame.size(), gl::read_rgba32f(*t.frame.texture(Stores::lit)));
 }
 
 Drawn read_drawn(Renderer& renderer, const Settings& drawn, const GpuScene& scene, Targets& targets, bool unlit) {

@@ -19,9 +19,9 @@ namespace {
 
 void copy_depth(const Frame& frame, const gl::Framebuffer& into) {
   const glm::ivec2 size = frame.settings.size;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.targets.framebuffer(Pass::geometry).id());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer(Pass::geometry).id());
   // With the stencil: its marks of surfaces are wanted here, and the other bits are 0.
-  const GLbitfield stencil = needs_stencil(frame.settings) ? GL_STENCIL_BUFFER_BIT : 0u;
+  const GLbitfield stencil = frame.resolved.stencil ? GL_STENCIL_BUFFER_BIT : 0u;
   glDepthMask(true);
   glStencilMask(0xff);
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT | stencil, GL_NEAREST);
@@ -34,18 +34,24 @@ int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer&
   const gl::PassState state{.blend = gl::Blend::add, .stencil = light_stencil(frame)};
   begin_drawing(into, frame.settings.size, state);
   const int targets = output == LightOutput::split ? 2 : 1;
-  const bool begun = output == LightOutput::sum && sum_begins_in_geometry(frame.settings);
+  const bool begun = output == LightOutput::sum && frame.resolved.light_sum_is_begun;
   for (int i = 0; i < targets && !begun; ++i) glClearBufferfv(GL_COLOR, i, kNothing);
-  if (lighting_has_depth(frame.settings)) copy_depth(frame, into);
+  if (frame.resolved.lighting_has_depth) copy_depth(frame, into);
   gl::change(state);
-  if (frame.targets.lights.empty()) return 0;
+  if (frame.lights().empty()) return 0;
   bind_gbuffer(frame);
   bind_lights(frame);
   return method_of(frame).draw({frame, output});
 }
 
-void prepare_lighting(const Frame& frame) {
-  if (method_of(frame).prepare && !frame.targets.lights.empty()) method_of(frame).prepare(frame);
+void prepare_lighting(Frame& frame) {
+  if (method_of(frame).prepare && !frame.lights().empty()) method_of(frame).prepare(frame);
+}
+
+int draw_light_sums(Frame& frame) {
+  prepare_lighting(frame);  // building lists is part of what a method costs
+  return draw_lighting(frame, frame.resolved.split ? LightOutput::split : LightOutput::sum,
+                       frame.framebuffer(Pass::lighting));
 }
 
 }  // namespace gbl

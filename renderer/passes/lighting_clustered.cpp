@@ -23,15 +23,15 @@ void upload_words(gl::Texture& texture, std::span<const uint32_t> words) {
 
 }  // namespace
 
-void prepare_clusters(const Frame& frame) {
-  Targets& t = frame.targets;
-  t.clusters.build(frame.settings.camera, frame.aspect, t.lights);
-  upload_words(t.light_lists, t.clusters.words());
+void prepare_clusters(Frame& frame) {
+  Uploads& up = frame.targets().uploads;
+  up.clusters.build(frame.settings.camera, frame.resolved.aspect, frame.lights());
+  upload_words(up.light_lists, up.clusters.words());
 }
 
 int draw_clustered_lights(const LightingPass& pass) {
   const Frame& frame = pass.frame;
-  const LightClusters& clusters = frame.targets.clusters;
+  const LightClusters& clusters = frame.targets().uploads.clusters;
   gl::Defines defines = pass.defines();
   defines.push_back({"CLUSTER_COLUMNS", kClusters.x});
   defines.push_back({"CLUSTER_ROWS", kClusters.y});
@@ -43,7 +43,7 @@ int draw_clustered_lights(const LightingPass& pass) {
               static_cast<float>(clusters.slice_offset()));
   glUniform2i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_start()),
               static_cast<int>(clusters.everywhere().size()));
-  gl::bind_texture("light_lists", frame.targets.light_lists);
+  gl::bind_texture("light_lists", frame.targets().uploads.light_lists);
   frame.shapes.draw_fullscreen();
   return 1;
 }

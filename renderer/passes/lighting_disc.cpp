@@ -9,7 +9,7 @@ int draw_disc_lights(const LightingPass& pass) {
   gl::Defines defines = pass.defines();
   defines.push_back({"DISC_SIDES", kSides});
   glUseProgram(frame.programs.get("light_disc.vert", "light_volume.frag", defines).id());
-  frame.shapes.draw_generated(3 * kSides, static_cast<int>(frame.targets.lights.size()));
+  frame.shapes.draw_generated(3 * kSides, frame.light_count());
   return 1;
 }
 

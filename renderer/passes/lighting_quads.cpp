@@ -6,7 +6,7 @@ namespace gbl {
 int draw_quad_lights(const LightingPass& pass) {
   const Frame& frame = pass.frame;
   glUseProgram(frame.programs.get("light_quads.vert", "light_volume.frag", pass.defines()).id());
-  frame.shapes.draw_generated(6, static_cast<int>(frame.targets.lights.size()));
+  frame.shapes.draw_generated(6, frame.light_count());
   return 1;
 }
 

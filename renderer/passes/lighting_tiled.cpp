@@ -9,11 +9,11 @@ namespace {
 constexpr int kTile = 16;
 
 std::vector<const gl::Texture*> images_of(const LightingPass& pass) {
-  Targets& t = pass.frame.targets;
+  const FrameTextures& t = pass.frame.targets().frame;
   switch (pass.output) {
     case LightOutput::split: return {t.texture(Stores::diffuse_light), t.texture(Stores::specular_light)};
     case LightOutput::sum: return {t.texture(Stores::light)};
-    case LightOutput::count: return {&t.counts().texture};
+    case LightOutput::count: return {&pass.frame.targets().canvases.counts().texture};
   }
   return {};
 }

@@ -15,7 +15,7 @@ int draw_shape(const LightingPass& pass, VolumeShape shape) {
   const CullRule rule = cull_rule(frame);
   const double scale = volume_scale(s.lights.volume.fit, s.lights.volume.level, shape);
   const GLint index = program.uniform("light_index");
-  const std::vector<Light>& lights = frame.targets.lights;
+  const std::vector<Light>& lights = frame.lights();
   int draws = 0;
   for (size_t i = 0; i < lights.size(); ++i) {
     const Light& l = lights[i];

@@ -6,8 +6,6 @@
 namespace gbl {
 namespace {
 
-int light_count(const Frame& frame) { return static_cast<int>(frame.targets.lights.size()); }
-
 int draw_shape(const LightingPass& pass, VolumeShape shape) {
   const Frame& frame = pass.frame;
   if (!any_light(frame, shape)) return 0;
@@ -21,7 +19,7 @@ int draw_shape(const LightingPass& pass, VolumeShape shape) {
   const auto draw = [&](int kept, Faces faces) {
     gl::apply_cull(culled(faces));
     glUniform1i(program.uniform("kept_lights"), kept);
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr, light_count(frame));
+    glDrawElementsInstanced(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr, frame.light_count());
     return 1;
   };
   if (rule.inside == rule.outside) return draw(KEEP_ALL, rule.inside);
@@ -33,7 +31,7 @@ int draw_endless(const LightingPass& pass) {
   const gl::Program& program = use_volume_program(pass, VolumeShape::screen, VolumeDraw::all_lights);
   gl::change(endless_state(pass.frame));
   glUniform1i(program.uniform("kept_lights"), KEEP_ALL);
-  pass.frame.shapes.draw_fullscreen(light_count(pass.frame));
+  pass.frame.shapes.draw_fullscreen(pass.frame.light_count());
   return 1;
 }
 

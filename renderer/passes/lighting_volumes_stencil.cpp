@@ -37,7 +37,7 @@ int draw_shape(const LightingPass& pass, VolumeShape shape) {
     glDrawElements(GL_TRIANGLES, mesh.triangle_indices, GL_UNSIGNED_INT, nullptr);
     return 1;
   };
-  const std::vector<Light>& lights = frame.targets.lights;
+  const std::vector<Light>& lights = frame.lights();
   int draws = 0;
   for (size_t i = 0; i < lights.size(); ++i) {
     if (volume_shape(lights[i]) != shape) continue;

@@ -35,7 +35,7 @@ void append_record(const Frame& frame, int instance, std::vector<glm::vec4>& out
   const glm::dmat4& world_from_object = frame.scene.scene().instances[instance].world_from_object;
   glm::dmat4 relative_from_object = world_from_object;
   relative_from_object[3] -= glm::dvec4(frame.settings.camera.position, 0);
-  const glm::mat4 clip(frame.clip_from_relative * relative_from_object);
+  const glm::mat4 clip(frame.resolved.clip_from_relative * relative_from_object);
   const glm::mat4 rows(glm::transpose(relative_from_object));
   const glm::dmat3 directions(world_from_object);
   const double determinant = glm::determinant(directions);
@@ -106,8 +106,8 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
 
 }  // namespace
 
-std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
-  std::vector<glm::vec4>& records = frame.targets.record_texels;
+std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
+  std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;
   records.clear();
   std::vector<ObjectDraw> draws;
   int next = 0;
@@ -126,7 +126,7 @@ std::vector<ObjectDraw> prepare_objects(const Frame& frame, bool transparent) {
   }
   std::stable_sort(by_rank.begin(), by_rank.end(), [](auto& a, auto& b) { return a.first < b.first; });
   for (const auto& [key, draw] : by_rank) draws.push_back(draw);
-  if (!draws.empty()) upload_records(frame.targets.instance_data, records, "instance_data", "instances");
+  if (!draws.empty()) upload_records(frame.targets().uploads.instance_data, records, "instance_data", "instances");
   return draws;
 }
 
@@ -134,7 +134,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
                  const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms,
                  Corners corners) {
   if (draws.empty()) return 0;
-  gl::bind_texture("instance_data", frame.targets.instance_data);
+  gl::bind_texture("instance_data", frame.targets().uploads.instance_data);
   for (const ObjectDraw& draw : draws) {
     const Material& material = material_of(frame, *draw.batch);
     gl::Defines all = defines;

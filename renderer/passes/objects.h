@@ -15,7 +15,7 @@ struct ObjectDraw {
 
 // Writes the instance texture and says what to draw. Opaque: batches and their instances as draw-order says.
 // Transparent: one draw per instance, farthest first.
-std::vector<ObjectDraw> prepare_objects(const Frame&, bool transparent);
+std::vector<ObjectDraw> prepare_objects(Frame&, bool transparent);
 
 // How corners reach the vertex shader: shared by indices, or one by one, which numbers the triangles (TRIANGLE_IDS).
 enum class Corners { shared, numbered };

@@ -20,12 +20,12 @@ glm::vec3 Frame::background() const {
 namespace {
 
 void bind_if_stored(const Frame& frame, Stores what, const char* sampler) {
-  if (const gl::Texture* t = frame.targets.texture(what)) gl::bind_texture(sampler, *t);
+  if (const gl::Texture* t = frame.targets().frame.texture(what)) gl::bind_texture(sampler, *t);
 }
 
 // A light's bounds on screen and half a pixel more, so that every pixel that they touch is drawn.
 glm::vec4 drawn_bounds(const Frame& frame, const Light& light) {
-  const ScreenBounds b = screen_bounds(frame.settings.camera, frame.aspect, light);
+  const ScreenBounds b = screen_bounds(frame.settings.camera, frame.resolved.aspect, light);
   if (b.empty()) return glm::vec4(2);  // no area, and beside the screen
   const glm::dvec2 half_pixel = 1.0 / glm::dvec2(frame.settings.size);
   return {b.from - half_pixel, b.to + half_pixel};
@@ -53,17 +53,17 @@ void begin_drawing(const gl::Framebuffer& framebuffer, glm::ivec2 size, const gl
 }
 
 gl::PassState depth_tested(const Frame& frame, gl::DepthTest test, gl::PassState state) {
-  const bool reversed = frame.depth_runs() == DepthRuns::reversed;
+  const bool reversed = frame.resolved.depth_runs == DepthRuns::reversed;
   state.depth = reversed ? mirrored(test) : test;
   state.zero_to_one = reversed;
   return state;
 }
 
 void clear_depth(const Frame& frame) {
-  const float farthest = frame.depth_runs() == DepthRuns::reversed ? 0.0f : 1.0f;
+  const float farthest = frame.resolved.depth_runs == DepthRuns::reversed ? 0.0f : 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   constexpr GLint kUnmarked = 0;
-  if (row(frame.targets.texture(Stores::depth)->format).stencil) glClearBufferiv(GL_STENCIL, 0, &kUnmarked);
+  if (row(frame.targets().frame.texture(Stores::depth)->format).stencil) glClearBufferiv(GL_STENCIL, 0, &kUnmarked);
 }
 
 gl::Stencil light_stencil(const Frame& frame) {
@@ -83,7 +83,7 @@ void bind_gbuffer(const Frame& frame) {
   bind_if_stored(frame, Stores::position, "gbuffer_position");
 }
 
-void bind_lights(const Frame& frame) { gl::bind_texture("light_data", frame.targets.light_data); }
+void bind_lights(const Frame& frame) { gl::bind_texture("light_data", frame.targets().uploads.light_data); }
 
 void bind_light_sums(const Frame& frame) {
   bind_if_stored(frame, Stores::light, "light_sum");
@@ -91,15 +91,15 @@ void bind_light_sums(const Frame& frame) {
   bind_if_stored(frame, Stores::specular_light, "light_specular");
 }
 
-void upload_frame_block(const Frame& frame) {
+void upload_frame_block(Frame& frame) {
   const Settings& s = frame.settings;
   const Camera& c = s.camera;
-  const ViewRays rays = view_rays(c, frame.aspect);
+  const ViewRays rays = view_rays(c, frame.resolved.aspect);
   shared::FrameBlock block{};
-  block.clip_from_relative = glm::mat4(frame.clip_from_relative);
+  block.clip_from_relative = glm::mat4(frame.resolved.clip_from_relative);
   block.view_from_world = glm::mat4(glm::mat4_cast(glm::conjugate(c.orientation)));
   // Float from here on, as the source's shader computes it: its noise is the pitfall.
-  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.aspect, frame.depth_runs())) *
+  const glm::mat4 clip_from_world = glm::mat4(clip_from_view(c, frame.resolved.aspect, frame.resolved.depth_runs)) *
                                     block.view_from_world *
                                     glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
                                               glm::vec4(-glm::vec3(c.position), 1));
@@ -115,28 +115,28 @@ void upload_frame_block(const Frame& frame) {
   block.shading = glm::vec4(s.shading.exponent, s.shading.specular, s.ambient, s.exposure);
   const Bounds& bounds = frame.scene.scene().bounds;
   block.view_range = glm::vec4(depth_view_range(s.camera, bounds), position_cycle(bounds), 0);
-  block.lights = glm::ivec4(static_cast<int>(frame.targets.lights.size()), 0, 0, 0);
-  if (!frame.targets.frame_block) frame.targets.frame_block = gl::Buffer::make();
-  gl::write_uniform_block(frame.targets.frame_block, 0, &block, sizeof block);
+  block.lights = glm::ivec4(frame.light_count(), 0, 0, 0);
+  if (!frame.targets().uploads.frame_block) frame.targets().uploads.frame_block = gl::Buffer::make();
+  gl::write_uniform_block(frame.targets().uploads.frame_block, 0, &block, sizeof block);
 }
 
 static_assert(static_cast<int>(VolumeShape::sphere) == VOLUME_SPHERE &&
               static_cast<int>(VolumeShape::cone) == VOLUME_CONE &&
               static_cast<int>(VolumeShape::screen) == VOLUME_SCREEN);
 
-void upload_lights(const Frame& frame) {
-  Targets& t = frame.targets;
+void upload_lights(Frame& frame) {
+  Uploads& up = frame.targets().uploads;
   const bool reads_bounds = frame.settings.lights.method == LightMethod::quads;
-  t.record_texels.clear();
-  for (const Light& l : t.lights) {
-    t.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
-    t.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
-    t.record_texels.emplace_back(l.direction, l.inner_cos);
-    t.record_texels.emplace_back(l.outer_cos, l.coefficients);
-    t.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);
-    t.record_texels.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
+  up.record_texels.clear();
+  for (const Light& l : frame.lights()) {
+    up.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
+    up.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
+    up.record_texels.emplace_back(l.direction, l.inner_cos);
+    up.record_texels.emplace_back(l.outer_cos, l.coefficients);
+    up.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);
+    up.record_texels.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
-  upload_records(t.light_data, t.record_texels, "light_data", "lights");
+  upload_records(up.light_data, up.record_texels, "light_data", "lights");
 }
 
 void upload_records(gl::Texture& texture, std::vector<glm::vec4>& texels, const char* sampler, const char* label) {
@@ -155,7 +155,7 @@ namespace {
 int draw_combined(const Frame& frame, const gl::Framebuffer& into, bool background_only) {
   gl::Defines defines = frame.defines();
   defines.push_back({"SKY", frame.settings.background.fill == BackgroundFill::sky});
-  defines.push_back({"SPLIT", frame.split()});
+  defines.push_back({"SPLIT", frame.resolved.split});
   defines.push_back({"BACKGROUND_ONLY", background_only});
   const gl::Program& program = frame.programs.get("fullscreen.vert", "combine.frag", defines);
   begin_drawing(into, frame.settings.size, {});
@@ -168,7 +168,7 @@ int draw_combined(const Frame& frame, const gl::Framebuffer& into, bool backgrou
 
 }  // namespace
 
-int draw_combine(const Frame& frame) { return draw_combined(frame, frame.targets.framebuffer(Pass::combine), false); }
+int draw_combine(Frame& frame) { return draw_combined(frame, frame.framebuffer(Pass::combine), false); }
 int draw_background(const Frame& frame, const gl::Framebuffer& into) { return draw_combined(frame, into, true); }
 
 }  // namespace gbl

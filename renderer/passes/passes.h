@@ -21,24 +21,26 @@ void bind_gbuffer(const Frame&);
 void bind_lights(const Frame&);
 void bind_light_sums(const Frame&);
 
-void upload_frame_block(const Frame&);
-void upload_lights(const Frame&);
+void upload_frame_block(Frame&);
+void upload_lights(Frame&);
 // Rows of float records as a texture; remade only when it must grow or shrink.
 void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, const char* sampler, const char* label);
 
 // -> draw calls
-int draw_geometry(const Frame&);
-void prepare_lighting(const Frame&);  // what the lighting reads beside the G-buffer and the lights
+int draw_forward_frame(Frame&);  // background, then surfaces shaded as they are drawn
+int draw_geometry(Frame&);
+int draw_light_sums(Frame&);    // the lists of its method, then light
+void prepare_lighting(Frame&);  // what the lighting reads beside the G-buffer and the lights
 int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);
-int draw_combine(const Frame&);
+int draw_combine(Frame&);
 int draw_background(const Frame&, const gl::Framebuffer& into);
-int draw_forward(const Frame&, LightOutput, const gl::Framebuffer& into);
-int draw_materials_over_light(const Frame&);
-int draw_transparent(const Frame&);
-int draw_edge_blur(const Frame&);
+int draw_forward(Frame&, LightOutput, const gl::Framebuffer& into);
+int draw_materials_over_light(Frame&);
+int draw_transparent(Frame&);
+int draw_edge_blur(Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);
-void draw_ids(const Frame&);                                                 // into targets.ids(), once per frame drawn
-void draw_outline(const Frame&, Canvas& into);                               // of settings.view.object
+void draw_ids(Frame&);                                                       // into targets.ids(), once per frame drawn
+void draw_outline(Frame&, Canvas& into);                                     // of settings.view.object
 void draw_truth_view(const Frame&, View, const ViewOptions&, Canvas& into);  // of reference and error
 
 }  // namespace gbl

@@ -3,11 +3,11 @@
 
 namespace gbl {
 
-void draw_ids(const Frame& frame) {
-  Targets& t = frame.targets;
-  if (t.ids_valid) return;
+void draw_ids(Frame& frame) {
+  Canvases& canvases = frame.targets().canvases;
+  if (canvases.ids_valid) return;
   const glm::ivec2 size = frame.settings.size;
-  const gl::Framebuffer& into = t.ids().framebuffer;
+  const gl::Framebuffer& into = canvases.ids(frame.targets().frame).framebuffer;
   begin_drawing(into, size, {});
   constexpr GLuint kNone[4] = {};
   glClearBufferuiv(GL_COLOR, 0, kNone);
@@ -16,17 +16,17 @@ void draw_ids(const Frame& frame) {
     begin_drawing(into, size, depth_tested(frame, gl::DepthTest::less_equal, {}));
     draw_objects(frame, draws, "ids.frag", frame.surface_defines());
   }
-  t.ids_valid = true;
+  canvases.ids_valid = true;
 }
 
-void draw_outline(const Frame& frame, Canvas& into) {
-  if (frame.settings.view.object == 0) return;
+void draw_outline(Frame& frame, Canvas& into) {
+  if (frame.view.object == 0) return;
   draw_ids(frame);
   begin_drawing(into.framebuffer, frame.settings.size, {});
-  gl::bind_texture("ids", frame.targets.ids().texture);
+  gl::bind_texture("ids", frame.targets().canvases.ids().texture);
   const gl::Program& program = frame.programs.get("fullscreen.vert", "outline.frag", {});
   glUseProgram(program.id());
-  glUniform1i(program.uniform("picked"), frame.settings.view.object);
+  glUniform1i(program.uniform("picked"), frame.view.object);
   frame.shapes.draw_fullscreen();
 }
 

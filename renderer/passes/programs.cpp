@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/frame/attachments.h"
 #include "renderer/gbuffer/layouts.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/options/options.h"
@@ -75,11 +74,11 @@ void append_choice(gl::Defines& out, const char* name, const char* prefix, std::
   for (const ValueRow& r : table) out.push_back({constant_name(prefix, r.id), r.value});
 }
 
-gl::Defines gbuffer_defines(const Settings& s) {
+gl::Defines gbuffer_defines(const ResolvedFrame& f) {
+  const Settings& s = f.settings;
   gl::Defines out;
   const LayoutRow& layout = facts(s.layout);
-  const Shading shading = shading_of(s.lights.method);
-  out.push_back({"LAYOUT_FILE", shading == Shading::light_prepass ? kThinLayoutShader : shader_of(s.layout)});
+  out.push_back({"LAYOUT_FILE", f.shading == Shading::light_prepass ? kThinLayoutShader : shader_of(s.layout)});
   append_encoding(out, s.normal.encoding);
   append_axis(out, "NORMAL_SPACE", "SPACE_", s.normal.space);
   append_axis(out, "POSITION_SOURCE", "POSITION_", s.position.source);
@@ -88,21 +87,22 @@ gl::Defines gbuffer_defines(const Settings& s) {
   append_axis(out, "COLOUR", "COLOUR_", s.colour);
   append_axis(out, "SHADING_MODEL", "MODEL_", s.shading.model);
   int draw_buffer = 0;
-  for (const Attachment& a : attachments(s))
+  for (const Attachment& a : f.attachments)
     if (const char* name = a.written_by == Pass::geometry ? draw_buffer_name(a.stores) : nullptr)
       out.push_back({name, draw_buffer++});
-  out.push_back({"MATERIAL_WORDS", layout.words && shading == Shading::deferred});
+  out.push_back({"MATERIAL_WORDS", layout.words && f.shading == Shading::deferred});
   out.push_back({"MATERIAL_FLOATS", layout.floats});
-  out.push_back({"NORMAL_IN_MATERIAL", normal_in_material(s)});
-  out.push_back({"DEPTH_REVERSED", s.depth.format == DepthFormat::d32f_reversed});
+  out.push_back({"NORMAL_IN_MATERIAL", f.normal_in_material});
+  out.push_back({"DEPTH_REVERSED", f.depth_runs == DepthRuns::reversed});
   out.push_back({"MATERIAL_VIEW", static_cast<int>(layout.shows)});
   append_mistakes(out, s, MistakeIn::shading);
   return out;
 }
 
-void append_light_defines(gl::Defines& out, const Settings& s, bool light_kinds) {
+void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
+  const Settings& s = f.settings;
   append_axis(out, "ATTENUATION", "ATTENUATION_", s.attenuation);
-  out.push_back({"LIGHT_KINDS", light_kinds});
+  out.push_back({"LIGHT_KINDS", f.light_kinds});
   out.push_back({"RANGE_IS_PROFILE", s.range.kind == RangeKind::source || s.range.kind == RangeKind::windowed});
   out.push_back({"RANGE_WINDOWED", s.range.kind == RangeKind::windowed});
   out.push_back({"SPOT_COS_POWER", s.lights.spot == LightSpot::cos_power});

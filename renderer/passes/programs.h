@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/frame/resolved_frame.h"
 #include "renderer/gl/program.h"
 #include "renderer/inspect/views.h"
-#include "renderer/options/settings.h"
 
 namespace gbl {
 
@@ -21,8 +21,8 @@ void append_axis(gl::Defines& out, const char* name, const char* prefix, E chose
 }
 
 // Defines that name the choices a shader depends on; each shader asks only for those it reads.
-gl::Defines gbuffer_defines(const Settings&);  // what is stored and how, colour, shading
-void append_light_defines(gl::Defines&, const Settings&, bool light_kinds);
+gl::Defines gbuffer_defines(const ResolvedFrame&);  // what is stored and how, colour, shading
+void append_light_defines(gl::Defines&, const ResolvedFrame&);
 void append_surface_defines(gl::Defines&, const Settings&, bool emission_kept);
 
 class ProgramCache {

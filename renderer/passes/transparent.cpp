@@ -6,7 +6,7 @@ namespace gbl {
 namespace {
 
 int draw_markers(const Frame& frame, const gl::Framebuffer& into, gl::DepthTest test) {
-  const auto lights = static_cast<GLsizei>(frame.targets.lights.size());
+  const auto lights = static_cast<GLsizei>(frame.lights().size());
   if (frame.settings.lights.markers == LightMarkers::off || lights == 0) return 0;
   const bool tested = test != gl::DepthTest::off;
   begin_drawing(into, frame.settings.size, depth_tested(frame, test, {.depth_write = tested, .cull = gl::Cull::back}));
@@ -18,20 +18,21 @@ int draw_markers(const Frame& frame, const gl::Framebuffer& into, gl::DepthTest 
 
 }  // namespace
 
-int draw_transparent(const Frame& frame) {
-  Targets& t = frame.targets;
-  Canvas& composed = t.composed();
+int draw_transparent(Frame& frame) {
+  Canvases& canvases = frame.targets().canvases;
+  Canvas& composed = canvases.composed(frame.targets().frame);
   const glm::ivec2 size = frame.settings.size;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer(Pass::combine).id());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer(Pass::combine).id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, composed.framebuffer.id());
   glDisable(GL_SCISSOR_TEST);
   glColorMask(true, true, true, true);
   glDepthMask(true);
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, t.framebuffer(Pass::geometry).id());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer(Pass::geometry).id());
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  t.composed_valid = true;
-  const gl::DepthTest test = frame.mistaken(Mistake::forward_without_depth) ? gl::DepthTest::off : gl::DepthTest::less;
+  canvases.composed_valid = true;
+  const gl::DepthTest test =
+      frame.resolved.mistaken(Mistake::forward_without_depth) ? gl::DepthTest::off : gl::DepthTest::less;
   const int markers = draw_markers(frame, composed.framebuffer, test);
   const std::vector<ObjectDraw> draws = prepare_objects(frame, true);
   begin_drawing(composed.framebuffer, size, depth_tested(frame, test, {.blend = gl::Blend::alpha}));

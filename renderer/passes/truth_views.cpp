@@ -12,7 +12,7 @@ constexpr float kNothing[4] = {};
 
 gl::Defines error_defines(const Frame& frame, ErrorOf chosen) {
   gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", frame.split()});
+  defines.push_back({"SPLIT", frame.resolved.split});
   append_axis(defines, "ERROR_OF", "ERROR_", chosen);
   return defines;
 }
@@ -24,10 +24,10 @@ void draw_reference(const Frame& frame, const TruthTextures& truth) {
 }
 
 void colour_errors(const Frame& frame, double range) {
-  const bool with_sign = frame.settings.view.error.scale == ErrorScale::with_sign;
+  const bool with_sign = frame.view.error.scale == ErrorScale::with_sign;
   const std::span<const glm::vec3> stops = with_sign ? red_blue() : magma();
   const int count = static_cast<int>(stops.size());
-  gl::bind_texture("errors", frame.targets.errors().texture);
+  gl::bind_texture("errors", frame.targets().canvases.errors().texture);
   const gl::Program& program =
       frame.programs.get("fullscreen.vert", shader_of(View::error), {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
   glUseProgram(program.id());
@@ -48,11 +48,11 @@ void draw_truth_view(const Frame& frame, View view, const ViewOptions& options, 
 }
 
 void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {
-  const Frame frame = frame_of(s, scene, targets);
+  Frame frame = frame_of(s, scene, targets);
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
   begin_drawing(into, s.size, depth_tested(frame, gl::DepthTest::less, {.depth_write = true}));
   for (int k = 0; k < 4; ++k) glClearBufferfv(GL_COLOR, k, kNothing);
-  const float farthest = frame.depth_runs() == DepthRuns::reversed ? 0.0f : 1.0f;
+  const float farthest = frame.resolved.depth_runs == DepthRuns::reversed ? 0.0f : 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   gl::Defines defines = frame.surface_defines();
   defines.push_back({"TRIANGLE_IDS", 1});
@@ -69,16 +69,16 @@ void Renderer::draw_decoded(const Settings& s, const GpuScene& scene, Targets& t
 
 void Renderer::draw_errors(const Settings& s, const GpuScene& scene, Targets& targets, const TruthTextures& truth) {
   const Frame frame = frame_of(s, scene, targets);
-  Canvas& canvas = targets.errors();
+  Canvas& canvas = targets.canvases.errors();
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture("lit", *targets.texture(Stores::lit));
+  gl::bind_texture("lit", frame.texture(Stores::lit));
   gl::bind_texture("truth_lit", truth.lit);
   gl::bind_texture("truth_value", truth.of(s.view.error.of));
   glUseProgram(programs_.get("fullscreen.vert", "error.frag", error_defines(frame, s.view.error.of)).id());
   shapes_.draw_fullscreen();
-  targets.error_read.start(canvas.texture);
+  targets.reads.error.start(canvas.texture);
 }
 
 }  // namespace gbl

@@ -12,7 +12,7 @@ namespace {
 // The wires of one shape: of all lights, or of the picked one.
 void draw_wires(const Frame& frame, VolumeShape shape) {
   const Settings& s = frame.settings;
-  const std::vector<Light>& lights = frame.targets.lights;
+  const std::vector<Light>& lights = frame.lights();
   const size_t picked = std::min(static_cast<size_t>(s.view.pick), lights.size() - 1);
   gl::Defines defines = frame.defines();
   defines.push_back({"SHAPE", static_cast<int>(shape)});
@@ -31,7 +31,7 @@ void draw_wires(const Frame& frame, VolumeShape shape) {
 }  // namespace
 
 void draw_volume_wires(const Frame& frame, Canvas& into) {
-  if (frame.settings.view.volumes == VolumeOverlay::off) return;
+  if (frame.view.volumes == VolumeOverlay::off) return;
   begin_drawing(into.framebuffer, frame.settings.size, {.blend = gl::Blend::alpha});
   bind_gbuffer(frame);
   bind_lights(frame);
@@ -40,21 +40,22 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
-  if (counted(view) && !targets.counts_valid) count_pairs(s, scene, targets, false);
-  const Frame frame = frame_of(s, scene, targets);
-  if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.view(view));
+  if (counted(view) && !targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
+  Frame frame = frame_of(s, scene, targets);
+  if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.canvases.view(view));
   gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", frame.split()});
+  defines.push_back({"SPLIT", frame.resolved.split});
   defines.push_back({"VIEW_FILE", shader_of(view)});
   defines.push_back({"RAW", options.raw});
   const gl::Program& program = programs_.get("fullscreen.vert", "views.frag", defines);
-  Canvas& canvas = targets.view(view);
+  Canvas& canvas = targets.canvases.view(view);
   const gl::PassScope scope(targets.timers, "views");
   begin_drawing(canvas.framebuffer, s.size, {});
   bind_gbuffer(frame);
   bind_light_sums(frame);
-  gl::bind_texture("lit", row(view).with_transparent ? targets.shown() : *targets.texture(Stores::lit));
-  if (counted(view)) gl::bind_texture("counts", targets.counts().texture);
+  gl::bind_texture("lit",
+                   row(view).with_transparent ? targets.canvases.shown(targets.frame) : frame.texture(Stores::lit));
+  if (counted(view)) gl::bind_texture("counts", targets.canvases.counts().texture);
   glUseProgram(program.id());
   glUniform3fv(program.find_uniform("empty_colour"), 1, glm::value_ptr(row(view).empty_colour));
   glUniform1iv(program.find_uniform("wasted_from"), kLightCountColours, kWastedFrom);

@@ -5,13 +5,13 @@
 namespace gbl {
 
 bool any_light(const Frame& frame, VolumeShape shape) {
-  const std::vector<Light>& lights = frame.targets.lights;
+  const std::vector<Light>& lights = frame.lights();
   return std::any_of(lights.begin(), lights.end(), [&](const Light& l) { return volume_shape(l) == shape; });
 }
 
 CullRule cull_rule(const Frame& frame) {
   const Camera& camera = frame.settings.camera;
-  return cull_rule(frame.settings.lights.cull, camera.near * near_corner_factor(camera, frame.aspect));
+  return cull_rule(frame.settings.lights.cull, camera.near * near_corner_factor(camera, frame.resolved.aspect));
 }
 
 gl::Cull culled(Faces drawn) {
@@ -47,7 +47,7 @@ void set_mesh_uniforms(const gl::Program& program, const Settings& s, VolumeShap
 
 const gl::Program& use_volume_program(const LightingPass& pass, VolumeShape shape, VolumeDraw draw) {
   const Settings& s = pass.frame.settings;
-  const bool true_depth = lighting_tests_depth(s) || s.lights.volume.clip == VolumeClip::planes;
+  const bool true_depth = pass.frame.resolved.lighting_tests_depth || s.lights.volume.clip == VolumeClip::planes;
   gl::Defines defines = pass.defines();
   defines.push_back({"SHAPE", static_cast<int>(shape)});
   defines.push_back({"INSTANCED", draw == VolumeDraw::all_lights});
@@ -55,13 +55,13 @@ const gl::Program& use_volume_program(const LightingPass& pass, VolumeShape shap
   const char* fragment = draw == VolumeDraw::marks ? "light_mark.frag" : "light_volume.frag";
   const gl::Program& program = pass.frame.programs.get("light_volume.vert", fragment, defines);
   glUseProgram(program.id());
-  set_mesh_uniforms(program, s, shape, volume_depth_step(s));
+  set_mesh_uniforms(program, s, shape, pass.frame.resolved.volume_depth_step);
   return program;
 }
 
 int draw_endless_lights(const LightingPass& pass) {
   if (!any_light(pass.frame, VolumeShape::screen)) return 0;
-  const std::vector<Light>& lights = pass.frame.targets.lights;
+  const std::vector<Light>& lights = pass.frame.lights();
   const gl::Program& program = use_volume_program(pass, VolumeShape::screen, VolumeDraw::one_light);
   gl::change(endless_state(pass.frame));
   int draws = 0;

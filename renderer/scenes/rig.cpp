@@ -110,6 +110,12 @@ std::vector<Light> parse_rig(std::string_view text, std::string_view where) {
   return lights;
 }
 
+long long rig_stamp(const std::string& file) {
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file, error);
+  return error ? 0 : static_cast<long long>(time.time_since_epoch().count());
+}
+
 std::vector<Light> rig_lights(const std::string& file) {
   struct Read {
     std::filesystem::file_time_type time;

@@ -18,5 +18,6 @@ std::vector<Light> parse_rig(std::string_view json, std::string_view where);  //
 
 // Of the file; read again when it changes.
 std::vector<Light> rig_lights(const std::string& file);
+long long rig_stamp(const std::string& file);  // changes when the file does; 0 if there is none
 
 }  // namespace gbl

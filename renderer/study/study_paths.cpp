@@ -55,7 +55,7 @@ OptionValue checked_lights(const OptionValue& v) {
 }
 void apply_lights(Settings& s, const OptionValue& v, SceneCache&) {
   set(s, "lights.count", v);
-  s.lights.source = LightSource::generated;
+  option("lights.count").implies(s);
 }
 
 OptionValue checked_seed(const OptionValue& v) {

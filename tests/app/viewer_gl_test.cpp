@@ -192,7 +192,7 @@ TEST_F(Viewers, AProbeAnswersForThePixelAskedFor) {
       glFinish();
     }
     ASSERT_TRUE(probe);
-    const Picture lit = picture_of(*lab_->targets().texture(Stores::lit));
+    const Picture lit = picture_of(*lab_->targets().frame.texture(Stores::lit));
     const glm::vec4 texel = lit.texels[size_t(s.size.y - 1 - pixel.y) * s.size.x + pixel.x];
     EXPECT_EQ(probe->surface, texel.a == 1);
     EXPECT_EQ(probe->lit, glm::vec3(texel));

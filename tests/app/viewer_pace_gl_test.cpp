@@ -1,5 +1,4 @@
 // At which size the window draws, and when: slow frames, motion and rest, and what the lab learns from times.
-#include "renderer/frame/frame_lights.h"
 #include "tests/app/viewer_fixture.h"
 
 namespace gbl::test {
@@ -35,7 +34,7 @@ TEST_F(ViewerPace, TheLabLearnsAFramesTimeFromThatFrame) {
   heavy.lights.count = 256;
   Settings light = heavy;
   light.lights.count = 8;
-  const auto predicted_ms = [&] { return lab_->cost().predict_ms(light, lights_of(light, lab_->scene())); };
+  const auto predicted_ms = [&] { return lab_->cost().predict_ms(*lab_->resolve(light)); };
   for (int k = 0; k < 6; ++k) {  // as long as the first guess still tells
     lab_->draw(heavy);
     lab_->collect(true);

@@ -1,6 +1,7 @@
 #include "renderer/frame/estimate.h"
 
 #include "renderer/frame/frame_lights.h"
+#include "renderer/frame/resolved_frame.h"
 #include "renderer/options/presets.h"
 #include "tests/test_support.h"
 
@@ -16,6 +17,7 @@ Settings with(LightMethod method, glm::ivec2 size = {1280, 720}, int count = 64)
 }
 
 std::vector<Light> lights(const Settings& s) { return lights_of(s, Scene{}); }
+ResolvedFrame resolved(const Settings& s) { return resolve_frame(s, Scene{}, {}); }
 double work(const Settings& s) { return estimate_work(s, lights(s)); }
 
 std::vector<LightMethod> methods() {
@@ -117,16 +119,16 @@ TEST(EstimateWork, AVolumeCoversItsDiscAndNothingBehindTheCamera) {
 TEST(FrameCost, LearnsFromFramesAndIgnoresEmptyOnes) {
   const Settings s = with(LightMethod::fullscreen);
   FrameCost cost(true);
-  const double guess = cost.predict_ms(s, lights(s));
+  const double guess = cost.predict_ms(resolved(s));
   cost.learn(1e4, 1000);  // too little work
   cost.learn(1e9, 0);
   cost.learn(1e9, -1);
   cost.learn(1e9, std::nan(""));
-  EXPECT_EQ(cost.predict_ms(s, lights(s)), guess);
+  EXPECT_EQ(cost.predict_ms(resolved(s)), guess);
   const double pixels = 1280.0 * 720;
   for (int i = 0; i < 60; ++i) cost.learn(1e9, 20000);  // 20 ns a pair
-  EXPECT_NEAR(cost.predict_ms(s, lights(s)), pixels * ((64 + 2) * 20 + 60) * 1e-6, 1e-6 * guess);
-  EXPECT_LT(FrameCost(false).predict_ms(s, lights(s)), guess);
+  EXPECT_NEAR(cost.predict_ms(resolved(s)), pixels * ((64 + 2) * 20 + 60) * 1e-6, 1e-6 * guess);
+  EXPECT_LT(FrameCost(false).predict_ms(resolved(s)), guess);
 }
 
 TEST(FrameCost, AffordableSizeFitsTheBudgetInTheSameProportions) {
@@ -136,8 +138,8 @@ TEST(FrameCost, AffordableSizeFitsTheBudgetInTheSameProportions) {
       for (const double budget_ms : {50.0, 100.0, 500.0, 2000.0, 1e9}) {
         const Settings asked = with(m, size);
         Settings s = asked;
-        s.size = cost.affordable_size(asked, lights(asked), budget_ms);
-        const bool fitted = cost.predict_ms(asked, lights(asked)) <= budget_ms;
+        s.size = cost.affordable_size(resolved(asked), asked.size, budget_ms);
+        const bool fitted = cost.predict_ms(resolved(asked)) <= budget_ms;
         EXPECT_EQ(s.size == asked.size, fitted) << row(m).id << " " << size.x << " " << budget_ms;
         EXPECT_TRUE(s.size.x <= size.x && s.size.y <= size.y);
         EXPECT_GE(std::min(s.size.x, s.size.y), 64);
@@ -145,7 +147,7 @@ TEST(FrameCost, AffordableSizeFitsTheBudgetInTheSameProportions) {
         EXPECT_NEAR(double(s.size.x) / size.x, double(s.size.y) / size.y, 1.0 / std::min(size.x, size.y));
         const bool at_the_floor = std::min(s.size.x, s.size.y) == 64;
         // Rounding down changes the aspect by a pixel, and the covered share with it: a hundredth.
-        EXPECT_TRUE(at_the_floor || cost.predict_ms(s, lights(s)) <= budget_ms * 1.01) << row(m).id << " " << size.x;
+        EXPECT_TRUE(at_the_floor || cost.predict_ms(resolved(s)) <= budget_ms * 1.01) << row(m).id << " " << size.x;
       }
 }
 
@@ -153,7 +155,7 @@ TEST(FrameCost, TheFloorKeepsProportionsAndNeverEnlarges) {
   const FrameCost cost(true);
   const auto least = [&](glm::ivec2 size) {
     const Settings s = with(LightMethod::fullscreen, size, 16384);
-    return cost.affordable_size(s, lights(s), 1e-9);
+    return cost.affordable_size(resolved(s), s.size, 1e-9);
   };
   EXPECT_EQ(least({1280, 720}), glm::ivec2(113, 64));
   EXPECT_EQ(least({720, 1280}), glm::ivec2(64, 113));
@@ -161,8 +163,8 @@ TEST(FrameCost, TheFloorKeepsProportionsAndNeverEnlarges) {
   EXPECT_EQ(least({32, 32}), glm::ivec2(32, 32));
   EXPECT_EQ(least({16384, 1}), glm::ivec2(16384, 1));
   const Settings s = with(LightMethod::fullscreen);
-  EXPECT_EQ(cost.affordable_size(s, lights(s), 0), glm::ivec2(113, 64));
-  EXPECT_EQ(cost.affordable_size(s, lights(s), -1), glm::ivec2(113, 64));
+  EXPECT_EQ(cost.affordable_size(resolved(s), s.size, 0), glm::ivec2(113, 64));
+  EXPECT_EQ(cost.affordable_size(resolved(s), s.size, -1), glm::ivec2(113, 64));
 }
 
 }  // namespace

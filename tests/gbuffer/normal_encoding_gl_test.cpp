@@ -43,7 +43,7 @@ std::vector<glm::vec4> directions() {
 
 // Runs a fragment shader of the given main() over all directions; `included` supplies the functions it calls.
 void run(const Settings& s, const char* uniform, const char* main, const gl::Texture& from, const gl::Texture& to) {
-  const gl::Defines defines = gbuffer_defines(s);
+  const gl::Defines defines = gbuffer_defines(resolve_frame(s, Scene{}, {}));
   gl::ShaderText fragment = gl::load_shader("normal_texel.glsl", defines);
   fragment.body += std::string(uniform) + "void main() {\n  ivec2 texel = ivec2(gl_FragCoord.xy);\n" + main + "}\n";
   const gl::Program program = gl::compile_program(gl::load_shader("fullscreen.vert", defines), fragment);

@@ -23,7 +23,7 @@ Settings spheres(Lab& lab) {
 
 std::vector<float> lit_of(Lab& lab, const Settings& s) {
   lab.draw(s);
-  return gl::read_rgba32f(*lab.targets().texture(Stores::lit));
+  return gl::read_rgba32f(*lab.targets().frame.texture(Stores::lit));
 }
 
 TEST_F(LightKinds, EveryMethodEqualsThePlainLoop) {
@@ -33,7 +33,7 @@ TEST_F(LightKinds, EveryMethodEqualsThePlainLoop) {
   s.lights.method = LightMethod::fullscreen;
   const std::vector<float> expected = lit_of(lab, s);
   std::set<LightKind> kinds;
-  for (const Light& l : lab.targets().lights) kinds.insert(l.kind);
+  for (const Light& l : lab.lights()) kinds.insert(l.kind);
   ASSERT_EQ(kinds.size(), 3u) << "the scene must hold all three kinds";
   test::for_each_row<LightMethod>([&](LightMethod method, const ValueRow& r) {
     s.lights.method = method;

@@ -30,8 +30,8 @@ uint64_t surface_pixels(Stage& stage, const Settings& s) {
 // Per pixel: tested, shaded, shaded in range; and in a, by a pass of its own, the lights whose range reaches it.
 Picture count_picture(Stage& stage, const Settings& s) {
   stage.pairs(s);
-  Picture p = picture_of(stage.targets.counts().texture);
-  const Picture lit = picture_of(stage.targets.counts_lit().texture);
+  Picture p = picture_of(stage.targets.canvases.counts().texture);
+  const Picture lit = picture_of(stage.targets.canvases.counts_lit().texture);
   for (size_t i = 0; i < p.count(); ++i) p.texels[i].a = lit.texels[i].r;
   return p;
 }
@@ -143,7 +143,7 @@ TEST_F(Counts, NoMarkIsLeftInTheStencil) {
     Settings s = counted(LightMethod::volumes_stencil);
     s.depth.format = format;
     const auto marks = [&] {
-      const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.texture(Stores::light_depth));
+      const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.frame.texture(Stores::light_depth));
       int left = 0;
       for (int i = 0; i < s.size.x * s.size.y; ++i) left += bytes[texel * i + at] != 0;
       return left;
@@ -205,7 +205,7 @@ TEST_F(Counts, ListsAreTight) {
     if (!gl::device().features.has(row(method).needs)) continue;
     s.lights.method = method;
     const PairCounts pairs = stage.pairs(s);
-    for (const Light& l : stage.targets.lights) ASSERT_NEAR(l.range, 20, 1e-9);
+    for (const Light& l : stage.targets.drawn->lights) ASSERT_NEAR(l.range, 20, 1e-9);
     const auto lit = static_cast<double>(pairs.lit.value());
     EXPECT_LE(static_cast<double>(pairs.shaded) / lit, 1.1) << row(method).id;
     EXPECT_LE(static_cast<double>(pairs.tested) / lit, 3) << row(method).id;
@@ -221,7 +221,7 @@ TEST_F(Counts, EstimatesAreOfTheirOrder) {
       Settings s = counted(method, {160, 90});
       s.lights.count = count;
       const PairCounts pairs = stage.pairs(s);
-      const LightWork work = work_of(method, lights_in_view(s, stage.targets.lights));
+      const LightWork work = work_of(method, lights_in_view(s, stage.targets.drawn->lights));
       for (const auto& [estimated, counted] :
            {std::pair(work.tested, pairs.tested), std::pair(work.shaded, pairs.shaded)}) {
         EXPECT_GT(estimated, static_cast<double>(counted) / 4) << r.id << ", " << count;
@@ -274,7 +274,7 @@ TEST_F(Counts, LitPairsAreThoseOfTheFormula) {
   Stage stage(yard());
   const Settings s = counted(LightMethod::fullscreen_radius);
   const Picture counts = count_picture(stage, s);
-  const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.texture(Stores::depth));
+  const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.frame.texture(Stores::depth));
   const ViewRays rays = view_rays(s.camera, double(s.size.x) / s.size.y);
   int undecided = 0;
   for (int i = 0; i < int(counts.count()); ++i) {
@@ -289,7 +289,7 @@ TEST_F(Counts, LitPairsAreThoseOfTheFormula) {
         s.camera.position + range_from_depth(s.camera, depth) * (rays.forward + x * rays.right + y * rays.up);
     int lights = 0;
     bool near_a_rim = false;
-    for (const Light& l : stage.targets.lights) {
+    for (const Light& l : stage.targets.drawn->lights) {
       const double d = glm::distance(point, l.position);
       lights += d < l.range;
       near_a_rim |= std::abs(d - l.range) < 1e-3;  // float positions 60 units from the camera are good to some 1e-4

@@ -205,7 +205,7 @@ TEST_F(Frames, StateLeftByOthersDoesNotLeakIn) {
     EXPECT_EQ(report.pairs->lit, pairs.lit);
     scramble_state();
     EXPECT_TRUE(stage.view(View::final, s, {.overlays = true}) == picture);
-    gl::read_rgba32f(*stage.targets.texture(Stores::lit));  // leaves pixel storage as stored() needs it
+    gl::read_rgba32f(*stage.targets.frame.texture(Stores::lit));  // leaves pixel storage as stored() needs it
     EXPECT_TRUE(stored(stage.targets) == expected);
   }
 }

@@ -69,7 +69,7 @@ glm::ivec2 random_size(Pcg32& random) {
 
 // Names that are alive only while a frame of these settings is: everything else must have been made once.
 int names_beside_attachments(const Stage& stage) {
-  return gl::live_names() - static_cast<int>(stage.targets.attachments().size());
+  return gl::live_names() - static_cast<int>(stage.targets.frame.attachments().size());
 }
 
 TEST_F(FrameSweep, AThousandSwitchesLeaveNothingBehind) {

@@ -301,11 +301,11 @@ TEST_F(Methods, ClusterListsKeepTheirTexture) {
   s.lights.method = LightMethod::clustered;
   s.lights.count = 300;
   stage.draw(s);
-  const GLuint texture = stage.targets.light_lists.id();
+  const GLuint texture = stage.targets.uploads.light_lists.id();
   for (int k = 0; k < 20; ++k) {
     s.camera.position.x += 0.2;
     stage.draw(s);
-    EXPECT_EQ(stage.targets.light_lists.id(), texture) << k;
+    EXPECT_EQ(stage.targets.uploads.light_lists.id(), texture) << k;
   }
 }
 

@@ -12,11 +12,11 @@ TEST_F(ShaderVariants, EveryViewCompilesForEveryValue) {
   ProgramCache programs;
   for (const Axis& axis : all_axes())
     for (const Choice& c : axis) {
-      const Settings s = resolve(settings_of({c}, {8, 4}), yard().scene()).settings;
+      const ResolvedFrame f = resolve_frame(settings_of({c}, {8, 4}), yard().scene(), gl::device().features);
       for (const View v : frame_views())
         for (const int raw : {0, 1}) {
-          gl::Defines defines = gbuffer_defines(s);
-          defines.push_back({"SPLIT", s.accumulation.targets == AccumulationTargets::split});
+          gl::Defines defines = gbuffer_defines(f);
+          defines.push_back({"SPLIT", f.split});
           defines.push_back({"VIEW_FILE", shader_of(v)});
           defines.push_back({"RAW", raw});
           ASSERT_NO_THROW(programs.get("fullscreen.vert", "views.frag", defines)) << row(v).id << " " << c.value->id;

@@ -85,7 +85,10 @@ TEST_F(Shaders, AVariantThatDoesNotCompileThrowsAndHarmsNoOther) {
 // here), so C++ leaves no gaps.
 TEST_F(Shaders, TheDriverLaysOutTheFrameBlockAsCppDoes) {
   ProgramCache programs;
-  const GLuint program = programs.get("fullscreen.vert", "combine.frag", gbuffer_defines(settings_for(yard()))).id();
+  const GLuint program = programs
+                             .get("fullscreen.vert", "combine.frag",
+                                  gbuffer_defines(resolve_frame(settings_for(yard()), yard().scene(), {})))
+                             .id();
   const GLuint block = glGetUniformBlockIndex(program, "FrameBlock");
   ASSERT_NE(block, GL_INVALID_INDEX);
   const std::string text = resource("shaders/shared.h");

@@ -30,7 +30,8 @@ inline Compared against_truth(const Settings& s, const GpuScene& scene, double c
   const auto set = truth_of(s, scene);
   Stage& stage = shared_stage(scene);
   stage.draw(s);
-  const Picture shown = picture_of(stage.targets.shown());  // with what is drawn forward, after lighting
+  const Picture shown =
+      picture_of(stage.targets.canvases.shown(stage.targets.frame));  // with what is drawn forward, after lighting
   const Display display{s.exposure, s.colour};
   Compared out;
   for (size_t i = 0; i < shown.count(); ++i) {

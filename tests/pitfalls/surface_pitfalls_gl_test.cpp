@@ -27,7 +27,7 @@ std::vector<double> stored_lengths(const Settings& s, const GpuScene& scene) {
   Stage& stage = shared_stage(scene);
   stage.draw(s);
   std::vector<double> out;
-  for (const glm::vec4& n : picture_of(*stage.targets.texture(Stores::normal)).texels)
+  for (const glm::vec4& n : picture_of(*stage.targets.frame.texture(Stores::normal)).texels)
     if (const double length = glm::length(glm::dvec3(n)); length > 0) out.push_back(length);
   return out;
 }

@@ -1,0 +1,87 @@
+#include "renderer/frame/resolved_frame.h"
+
+#include <algorithm>
+
+#include "renderer/frame/estimate.h"
+#include "renderer/frame/frame_lights.h"
+#include "renderer/frame/method_choice.h"
+#include "renderer/frame/resolve.h"
+#include "renderer/scenes/rig.h"
+
+namespace gbl {
+namespace {
+
+constexpr size_t kKept = 4;  // A and B of a comparison, the picture and what is measured beside it
+
+bool plain_point(const Light& l) { return l.kind == LightKind::point && l.coefficients == glm::dvec3(0); }
+
+bool has_transparent(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.alpha_mode == AlphaMode::blend; });
+}
+
+void take_attachments(ResolvedFrame& f) {
+  const Settings& s = f.settings;
+  f.attachments = attachments(s);
+  f.gbuffer_bytes_per_pixel = bytes_per_pixel(f.attachments, Pass::geometry);
+  f.accumulation_bytes_per_pixel = bytes_per_pixel(f.attachments, Pass::lighting);
+  f.shading = shading_of(s.lights.method);
+  f.split = find(f.attachments, Stores::diffuse_light) != nullptr;
+  f.light_sum_is_begun = sum_begins_in_geometry(s);
+  f.normal_in_material = normal_in_material(s);
+  f.stencil = needs_stencil(s);
+  f.lighting_tests_depth = lighting_tests_depth(s);
+  f.lighting_has_depth = f.lighting_tests_depth || f.stencil;
+  f.multisampled = s.antialias == Antialias::msaa_resolved && f.shading != Shading::forward;
+  f.volume_depth_step = volume_depth_step(s);
+}
+
+void take_camera(ResolvedFrame& f) {
+  const Settings& s = f.settings;
+  f.aspect = double(s.size.x) / s.size.y;
+  f.depth_runs = s.depth.format == DepthFormat::d32f_reversed ? DepthRuns::reversed : DepthRuns::standard;
+  f.clip_from_relative = clip_from_relative(s.camera, f.aspect, f.depth_runs);
+}
+
+Settings without_view(Settings s) {
+  s.view = {};
+  return s;
+}
+
+}  // namespace
+
+ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet features) {
+  Resolved resolved = resolve(s, scene);
+  ResolvedFrame f{.settings = without_view(std::move(resolved.settings)), .choices = std::move(resolved.notes)};
+  f.lights = lights_of(s, scene);
+  f.light_kinds = !std::all_of(f.lights.begin(), f.lights.end(), plain_point);
+  MethodChoice choice = choose_method(f.settings, f.lights, features);
+  f.settings.lights.method = choice.method;
+  f.method_reason = std::move(choice.reason);
+  f.light_work = estimate_work(f.settings, f.lights);
+  take_attachments(f);
+  take_camera(f);
+  f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;
+  return f;
+}
+
+std::shared_ptr<const ResolvedFrame> Resolver::get(const Settings& s, const std::shared_ptr<const Scene>& scene,
+                                                   FeatureSet features) {
+  const Settings asked = without_view(s);
+  const long long stamp = s.lights.source == LightSource::rig ? rig_stamp(s.lights.rig) : 0;
+  const auto same = [&](const Entry& e) {
+    return e.scene == scene && e.features == features && e.rig_stamp == stamp && e.settings == asked;
+  };
+  const auto found = std::find_if(entries_.begin(), entries_.end(), same);
+  if (found != entries_.end()) {
+    std::rotate(entries_.begin(), found, found + 1);
+    return entries_.front().frame;
+  }
+  auto frame = std::make_shared<const ResolvedFrame>(resolve_frame(asked, *scene, features));
+  ++resolved_;
+  entries_.insert(entries_.begin(), {asked, scene, features, stamp, frame});
+  if (entries_.size() > kKept) entries_.pop_back();
+  return frame;
+}
+
+}  // namespace gbl

@@ -1,0 +1,62 @@
+#pragma once
+// ResolvedFrame: what settings mean for a scene on a device, worked out once. Nothing is left to choose. The passes, the
+// report, captions and predictions read it; nobody asks the settings a second time.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/frame/attachments.h"
+#include "renderer/scene/scene.h"
+
+namespace gbl {
+
+struct ResolvedFrame {
+  Settings settings;                 // with a layout and a method; `view` has no part in it
+  std::vector<std::string> choices;  // what was chosen for `auto` and why, a sentence each
+  std::string method_reason;         // why lights.method=auto chose the method; empty if it was asked for by name
+
+  std::vector<Light> lights;
+  bool light_kinds = false;  // is any light other than a plain point light?
+  double light_work = 0;     // of the lighting pass, in turns of the full-screen loop (renderer/frame/estimate.h)
+
+  std::vector<Attachment> attachments;
+  int gbuffer_bytes_per_pixel = 0, accumulation_bytes_per_pixel = 0;
+  Shading shading = Shading::deferred;
+  bool split = false;               // diffuse and specular light are kept apart
+  bool light_sum_is_begun = false;  // the sum of light holds ambient and emission before lighting begins
+  bool normal_in_material = false;  // both share one attachment
+  bool stencil = false;             // a pass marks pixels
+  bool lighting_tests_depth = false;
+  bool lighting_has_depth = false;  // it, or the stencil beside it
+  bool multisampled = false;
+  double volume_depth_step = 0;   // window depth that rounding can hide between a surface and a volume's face
+  bool transparent_pass = false;  // something is drawn forward after the lighting
+
+  double aspect = 1;  // width over height
+  DepthRuns depth_runs = DepthRuns::standard;
+  glm::dmat4 clip_from_relative{1};  // relative to the camera, world axes
+
+  bool mistaken(Mistake m) const { return settings.mistakes.count(m) > 0; }
+};
+
+ResolvedFrame resolve_frame(const Settings&, const Scene&, FeatureSet);
+
+// The frames resolved last: one is worked out anew only when its settings, its scene or its rig's file have changed.
+class Resolver {
+ public:
+  std::shared_ptr<const ResolvedFrame> get(const Settings&, const std::shared_ptr<const Scene>&, FeatureSet);
+  int resolved() const { return resolved_; }  // how many were worked out
+
+ private:
+  struct Entry {
+    Settings settings;  // as asked for
+    std::shared_ptr<const Scene> scene;
+    FeatureSet features;
+    long long rig_stamp = 0;
+    std::shared_ptr<const ResolvedFrame> frame;
+  };
+  std::vector<Entry> entries_;  // the latest first
+  int resolved_ = 0;
+};
+
+}  // namespace gbl

@@ -1,0 +1,13 @@
+#pragma once
+// A texture with the framebuffer that draws into it alone.
+#include "renderer/gl/texture.h"
+
+namespace gbl {
+
+struct Canvas {
+  gl::Texture texture;
+  gl::Framebuffer framebuffer;
+};
+Canvas make_canvas(const gl::TextureDesc&, const gl::Texture* depth = nullptr);
+
+}  // namespace gbl

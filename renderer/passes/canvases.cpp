@@ -1,0 +1,82 @@
+#include "renderer/passes/canvases.h"
+
+#include "renderer/passes/frame_block.h"
+
+namespace gbl {
+namespace {
+
+Canvas& made(std::optional<Canvas>& canvas, const gl::TextureDesc& desc, const gl::Texture* depth = nullptr) {
+  if (!canvas) canvas = make_canvas(desc, depth);
+  return *canvas;
+}
+
+}  // namespace
+
+Canvas make_canvas(const gl::TextureDesc& desc, const gl::Texture* depth) {
+  Canvas c;
+  c.texture = gl::make_texture(desc);
+  c.framebuffer = gl::make_framebuffer({.colours = {&c.texture}, .depth = depth, .label = desc.label});
+  return c;
+}
+
+void Canvases::forget(glm::ivec2 new_size) {
+  for (auto* c : {&composed_, &ids_, &counts_}) c->reset();  // they share depth attachments
+  counts_with_depth_ = {}, counts_depth_ = {};
+  if (size_ == new_size) return;
+  for (auto& v : views_) v.reset();
+  for (auto* c : {&counts_lit_, &count_sums_, &unblurred_, &errors_}) c->reset();
+  size_ = new_size;
+}
+
+Canvas& Canvases::view(View v) {
+  return made(views_[static_cast<int>(v)],
+              {.size = size_, .format = Format::rgba8, .linear_filter = true, .label = row(v).id});
+}
+
+const Canvas* Canvases::drawn_view(View v) const {
+  const auto& canvas = views_[static_cast<int>(v)];
+  return canvas ? &*canvas : nullptr;
+}
+
+Canvas& Canvases::composed(const FrameTextures& frame) {
+  if (!composed_)
+    composed_depth_ =
+        gl::make_texture({.size = size_, .format = frame.texture(Stores::depth)->format, .label = "composed.depth"});
+  return made(composed_, {.size = size_, .format = Format::rgba32f, .label = "composed"}, &composed_depth_);
+}
+
+const gl::Texture& Canvases::shown(const FrameTextures& frame) const {
+  return composed_valid ? composed_->texture : *frame.texture(Stores::lit);
+}
+
+Canvas& Canvases::counts(const FrameTextures& frame) {
+  return made(counts_, {.size = size_, .format = Format::rgba32f, .label = "counts"},
+              frame.texture(Stores::light_depth));
+}
+const gl::Framebuffer& Canvases::counts_with_depth(const FrameTextures& frame) {
+  if (!counts_with_depth_) {
+    counts_depth_ = gl::make_texture({.size = size_, .format = Format::d32f, .label = "counts.depth"});
+    counts_with_depth_ =
+        gl::make_framebuffer({.colours = {&counts(frame).texture}, .depth = &counts_depth_, .label = "counts"});
+  }
+  return counts_with_depth_;
+}
+Canvas& Canvases::unblurred() {
+  return made(unblurred_, {.size = size_, .format = Format::rgba32f, .label = "unblurred"});
+}
+Canvas& Canvases::ids(const FrameTextures& frame) {
+  return made(ids_, {.size = size_, .format = Format::r32ui, .label = "ids"}, frame.texture(Stores::depth));
+}
+Canvas& Canvases::counts_lit() {
+  return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"});
+}
+Canvas& Canvases::count_sums() {
+  return made(count_sums_,
+              {.size = (size_ + COUNT_BLOCK - 1) / COUNT_BLOCK, .format = Format::rgba32f, .label = "counts.sums"});
+}
+Canvas& Canvases::errors() { return made(errors_, {.size = size_, .format = Format::rgba32f, .label = "errors"}); }
+Canvas& Canvases::probe() {
+  return made(probe_, {.size = {PROBE_FIELDS, 1}, .format = Format::rgba32f, .label = "probe"});
+}
+
+}  // namespace gbl

@@ -1,0 +1,50 @@
+#pragma once
+// What is drawn beside a frame: the pictures for the eye, what is composed over it, counted, judged and probed. Each is
+// made at first use. They are not part of the frame's own memory.
+#include <array>
+#include <optional>
+
+#include "renderer/inspect/views.h"
+#include "renderer/passes/canvas.h"
+#include "renderer/passes/frame_textures.h"
+
+namespace gbl {
+
+class Canvases {
+ public:
+  // The frame's textures were remade: some of these share its depth, all have its size.
+  void forget(glm::ivec2 new_size);
+  void next_frame() { composed_valid = counts_valid = counts_lit_valid = ids_valid = false; }
+
+  Canvas& view(View);                    // RGBA8
+  const Canvas* drawn_view(View) const;  // null if never drawn at this size
+  Canvas& composed(
+      const FrameTextures&);  // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
+  // What `final` shows: composed() if anything was drawn over `lit`.
+  const gl::Texture& shown(const FrameTextures&) const;
+  Canvas& counts(const FrameTextures&);  // RGBA32F: pairs tested, shaded, in range; with the lighting's depth
+  const gl::Framebuffer& counts_with_depth(
+      const FrameTextures&);  // … with a depth of its own: forward shading draws anew
+  Canvas& counts_lit();
+  Canvas& unblurred();                // RGBA32F: `lit` before its edges are blurred
+  Canvas& ids(const FrameTextures&);  // R32UI with the frame's depth: number of the object, from 1
+  Canvas& count_sums();               // the reduction
+  Canvas& probe();
+  // Those that are made already:
+  const Canvas& counts() const { return *counts_; }
+  const Canvas& ids() const { return *ids_; }
+  const Canvas& errors() const { return *errors_; }
+  Canvas& errors();  // RGBA32F: signed error, -, -, 1 where a surface is
+
+  // Of the frame drawn last:
+  bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false;
+
+ private:
+  glm::ivec2 size_{0};
+  std::array<std::optional<Canvas>, kViewCount> views_;
+  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_;
+  gl::Texture counts_depth_, composed_depth_;
+  gl::Framebuffer counts_with_depth_;
+};
+
+}  // namespace gbl

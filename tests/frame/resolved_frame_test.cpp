@@ -1,0 +1,108 @@
+#include "renderer/frame/resolved_frame.h"
+
+#include <chrono>
+#include <fstream>
+
+#include "renderer/frame/estimate.h"
+#include "renderer/frame/frame_lights.h"
+#include "renderer/options/presets.h"
+#include "tests/test_support.h"
+
+namespace gbl {
+namespace {
+
+std::shared_ptr<const Scene> empty_scene() { return std::make_shared<const Scene>(); }
+
+TEST(ResolvedFrame, NothingIsLeftToChoose) {
+  Settings s = preset("start").make();
+  s.layout = Layout::auto_;
+  s.lights.method = LightMethod::auto_;
+  const ResolvedFrame f = resolve_frame(s, Scene{}, {});
+  EXPECT_NE(f.settings.layout, Layout::auto_);
+  EXPECT_NE(f.settings.lights.method, LightMethod::auto_);
+  EXPECT_FALSE(f.method_reason.empty());
+  EXPECT_FALSE(f.choices.empty());
+  EXPECT_FALSE(f.attachments.empty());
+  EXPECT_EQ(f.gbuffer_bytes_per_pixel, gbuffer_bytes_per_pixel(f.settings));
+  EXPECT_EQ(f.shading, shading_of(f.settings.lights.method));
+  EXPECT_EQ(f.lights.size(), lights_of(s, Scene{}).size());
+}
+
+TEST(ResolvedFrame, SaysTheSameAsTheSettingsOfEveryPreset) {
+  for (const Preset& p : presets()) {
+    const ResolvedFrame f = resolve_frame(p.make(), Scene{}, {});
+    EXPECT_EQ(f.stencil, needs_stencil(f.settings)) << p.id;
+    EXPECT_EQ(f.lighting_tests_depth, lighting_tests_depth(f.settings)) << p.id;
+    EXPECT_EQ(f.lighting_has_depth, find(f.attachments, Stores::light_depth) != nullptr) << p.id;
+    EXPECT_EQ(f.light_sum_is_begun, sum_begins_in_geometry(f.settings)) << p.id;
+    EXPECT_EQ(f.normal_in_material, f.shading == Shading::deferred && !find(f.attachments, Stores::normal)) << p.id;
+  }
+}
+
+TEST(Resolver, WorksAFrameOutOnceUntilSomethingChanges) {
+  Resolver resolver;
+  const auto scene = empty_scene(), other = empty_scene();
+  Settings a = preset("start").make(), b = preset("nclgl").make();
+  const auto first = resolver.get(a, scene, {});
+  a.view.pick = 3;  // only what is looked at
+  EXPECT_EQ(resolver.get(a, scene, {}), first);
+  const auto second = resolver.get(b, scene, {});
+  EXPECT_NE(second, first);
+  EXPECT_EQ(resolver.get(a, scene, {}), first) << "two settings in turn";
+  EXPECT_EQ(resolver.get(b, scene, {}), second);
+  EXPECT_EQ(resolver.resolved(), 2);
+  EXPECT_NE(resolver.get(a, other, {}), first) << "another scene";
+  FeatureSet features;
+  features.add(Feature::compute);
+  EXPECT_NE(resolver.get(a, scene, features), first) << "another device";
+  a.time_s = 1;
+  const auto later = resolver.get(a, scene, {});
+  EXPECT_EQ(resolver.resolved(), 5);
+  EXPECT_NE(later->lights[0].position, first->lights[0].position);
+}
+
+TEST(Resolver, AChangedRigIsReadAgain) {
+  const TemporaryFolder folder("resolver");
+  const auto write = [&](int count) {
+    std::ofstream file(folder / "rig.json");
+    file << R"({"version": 1, "lights": [)";
+    for (int i = 0; i < count; ++i) file << (i ? "," : "") << R"({"kind": "point", "position": [0,1,0], "candela": 1})";
+    file << "]}";
+  };
+  const auto advance = [&](int seconds) {
+    const auto time = std::filesystem::last_write_time(folder / "rig.json");
+    std::filesystem::last_write_time(folder / "rig.json", time + std::chrono::seconds(seconds));
+  };
+  Settings s;
+  s.lights.source = LightSource::rig;
+  s.lights.rig = (folder / "rig.json").string();
+  Resolver resolver;
+  const auto scene = empty_scene();
+  write(1);
+  EXPECT_EQ(resolver.get(s, scene, {})->lights.size(), 1u);
+  write(2);
+  advance(2);  // file times are coarse
+  EXPECT_EQ(resolver.get(s, scene, {})->lights.size(), 2u);
+}
+
+// Of many lights some stand for all: what they say is near what all of them say.
+TEST(LightsInView, ASampleStandsForManyLights) {
+  Settings s = preset("start").make();
+  for (const int count : {2000, 16384}) {
+    s.lights.count = count;
+    const std::vector<Light> lights = lights_of(s, Scene{});
+    LightsInView exact;
+    for (size_t from = 0; from < lights.size(); from += 500) {  // small enough to be looked at one by one
+      const std::vector<Light> some(lights.begin() + long(from), lights.begin() + long(std::min(lights.size(), from + 500)));
+      const LightsInView part = lights_in_view(s, some);
+      exact.reached += part.reached, exact.under_volumes += part.under_volumes, exact.under_quads += part.under_quads;
+    }
+    const LightsInView sampled = lights_in_view(s, lights);
+    EXPECT_EQ(sampled.lights, count);
+    EXPECT_NEAR(sampled.under_volumes / exact.under_volumes, 1, 0.25) << count;
+    EXPECT_NEAR(sampled.under_quads / exact.under_quads, 1, 0.25) << count;
+  }
+}
+
+}  // namespace
+}  // namespace gbl
