@@ -62,8 +62,9 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: out/stability)");
   }
   if (command == "list") {
-    app.add_option("what", a.what, "what to list; `list` alone names the choices");
-    app.add_flag("--md", a.markdown, "as a Markdown table");
+    CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");
+    app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what);
+    app.add_option("--docs", a.docs, "write the pages of docs/tables to this folder")->excludes(what);
   }
 }
 
@@ -101,6 +102,7 @@ std::string unknown_argument(const CLI::App& app, const std::string& message) {
 Arguments parse_arguments(int argc, const char* const* argv) {
   Arguments a;
   CLI::App app("G-Buffer Lab: see every buffer of a deferred renderer, and what each choice costs.", "gbufferlab");
+  app.set_version_flag("--version", "gbufferlab " GBL_VERSION);
   app.require_subcommand(0, 1);
   describe(app, a);
   try {
@@ -108,6 +110,8 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp& e) {
     std::exit(app.exit(e));
   } catch (const CLI::CallForAllHelp& e) {
+    std::exit(app.exit(e));
+  } catch (const CLI::CallForVersion& e) {
     std::exit(app.exit(e));
   } catch (const CLI::ParseError& e) {
     const std::string help = unknown_argument(app, e.what());

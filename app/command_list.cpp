@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/docs_pages.h"
 #include "app/headless.h"
 #include "renderer/base/json.h"
 #include "renderer/gbuffer/normal_encoding.h"
@@ -267,8 +268,7 @@ std::vector<std::string> columns_of(const Json& all) {
   return out;
 }
 
-std::string as_markdown(const Json& all) {
-  const std::vector<std::string> columns = columns_of(all);
+std::string as_markdown(const Json& all, const std::vector<std::string>& columns) {
   std::string out = fmt::format("| {} |\n|{}\n", fmt::join(columns, " | "), [&] {
     std::string rule;
     for (size_t i = 0; i < columns.size(); ++i) rule += "---|";
@@ -302,13 +302,25 @@ std::string as_text(const Json& all) {
 
 }  // namespace
 
-std::string list_markdown(const std::string& what) {
+std::string list_markdown(const std::string& what, std::span<const std::string_view> chosen) {
   Json all = as_json(list_called(what).rows(), {});
   for (Json& r : all) r.erase("reason"), r.erase("available");
-  return as_markdown(all);
+  const std::vector<std::string> said = columns_of(all);
+  if (chosen.empty()) return as_markdown(all, said);
+  std::vector<std::string> columns;
+  for (const std::string_view c : chosen)
+    if (std::find(said.begin(), said.end(), c) == said.end())
+      throw Error(ExitCode::bad_input, "list", fmt::format("'{}' has no column '{}'", what, c));
+    else
+      columns.emplace_back(c);
+  return as_markdown(all, columns);
 }
 
 ExitCode run_list(const Arguments& a) {
+  if (a.docs) {
+    write_docs(*a.docs);
+    return ExitCode::done;
+  }
   const List& list = list_called(a.what);
   if (a.markdown && !a.json) {
     fmt::print("{}", list_markdown(a.what));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/base/error.h"
@@ -38,7 +39,8 @@ struct Arguments {
   std::optional<std::string> shard;          // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson;
-  int frames = 0;  // of `view`: draw so many and leave; 0 = until closed
+  int frames = 0;                             // of `view`: draw so many and leave; 0 = until closed
+  std::optional<std::filesystem::path> docs;  // of `list`: the folder of the documents' tables
 };
 
 // Parses; prints help and exits as CLI11 does. Throws Error(bad_input).
@@ -67,7 +69,8 @@ ExitCode run_study_command(const Arguments&);
 ExitCode run_advise(const Arguments&);
 ExitCode run_stability(const Arguments&);
 ExitCode run_list(const Arguments&);
-std::string list_markdown(const std::string& what);  // as `list WHAT --md` prints it; the README's tables are these
+// As `list WHAT --md` prints it; `columns` chooses some of them.
+std::string list_markdown(const std::string& what, std::span<const std::string_view> columns = {});
 ExitCode run_info(const Arguments&);
 ExitCode run_start_sheets(const Arguments&);  // what happens without a command and without a display
 

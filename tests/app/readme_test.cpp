@@ -1,35 +1,61 @@
-// The README's tables are those that the program prints: between <!-- list WHAT --> and <!-- end -->.
+// The documents say what the program says: its tables, its version.
 #include <fstream>
 #include <gtest/gtest.h>
 #include <regex>
 #include <sstream>
+#include <unistd.h>
 
 #include "app/commands.h"
+#include "app/docs_pages.h"
 #include "tests/test_paths.h"
 
 namespace gbl {
 namespace {
 
-std::string readme() {
-  std::ifstream file(test::source_folder() / "README.md");
-  EXPECT_TRUE(file);
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(test::source_folder() / path);
+  EXPECT_TRUE(file) << path;
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
 }
 
-TEST(Readme, TablesAreWhatListPrints) {
-  const std::string text = readme();
-  static const std::regex kMark("<!-- list ([a-z-]+) -->\n");
-  int tables = 0;
-  for (auto mark = std::sregex_iterator(text.begin(), text.end(), kMark); mark != std::sregex_iterator(); ++mark) {
-    const std::string what = (*mark)[1];
-    const size_t from = size_t(mark->position() + mark->length()), to = text.find("<!-- end -->", from);
-    ASSERT_NE(to, std::string::npos) << what;
-    EXPECT_EQ(text.substr(from, to - from), list_markdown(what)) << "put in: gbufferlab list " << what << " --md";
-    ++tables;
+TEST(Documents, EveryTableIsWhatTheProgramPrints) {
+  std::set<std::string> written;
+  for (const DocsPage& page : docs_pages()) {
+    const std::string name = std::string(page.list) + ".md";
+    EXPECT_EQ(text_of("docs/tables/" + name), docs_text(page)) << "run: gbufferlab list --docs docs/tables";
+    written.insert(name);
   }
-  EXPECT_GT(tables, 0);
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() / "docs/tables"))
+    EXPECT_TRUE(written.count(entry.path().filename().string())) << entry.path() << " belongs to no page";
+}
+
+// Relative links of a Markdown file: [words](path) and ![words](path).
+TEST(Documents, EveryLinkLeadsToAFile) {
+  static const std::regex kLink(R"(\]\(([^)#:]+)\))");
+  std::vector<std::filesystem::path> files = {"README.md", "CHANGELOG.md"};
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::source_folder() / "docs"))
+    if (entry.path().extension() == ".md") files.push_back(std::filesystem::relative(entry, test::source_folder()));
+  for (const std::filesystem::path& file : files) {
+    const std::string text = text_of(file);
+    for (auto link = std::sregex_iterator(text.begin(), text.end(), kLink); link != std::sregex_iterator(); ++link)
+      EXPECT_TRUE(std::filesystem::exists(test::source_folder() / file.parent_path() / std::string((*link)[1])))
+          << file << " links to " << (*link)[1];
+  }
+}
+
+TEST(Documents, TheNewestChangeIsOfTheVersionThatTheProgramPrints) {
+  const std::string changes = text_of("CHANGELOG.md");
+  std::smatch newest;
+  ASSERT_TRUE(std::regex_search(changes, newest, std::regex(R"(\n## (\d+\.\d+\.\d+) - \d{4}-\d\d-\d\d\n)")));
+  const char* const words[] = {"gbufferlab", "--version"};
+  EXPECT_EXIT(
+      {
+        dup2(STDERR_FILENO, STDOUT_FILENO);  // EXPECT_EXIT reads standard error only
+        parse_arguments(2, words);
+      },
+      testing::ExitedWithCode(0), "gbufferlab " + std::string(newest[1]));
 }
 
 }  // namespace
