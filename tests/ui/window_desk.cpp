@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
 #include <signal.h>
 #include <sys/wait.h>
 #include <thread>
@@ -31,14 +32,35 @@ std::string output_of(const std::string& command) {
 
 bool have(const char* program) { return !output_of(fmt::format("command -v {}", program)).empty(); }
 
+// Looks again and again, with a pause between: a look that starts a program needs a longer one.
 template <class Ready>
-bool wait_for(Ready ready, std::chrono::seconds limit) {
+bool wait_for(Ready ready, std::chrono::milliseconds limit, std::chrono::milliseconds pause = 5ms) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (std::chrono::steady_clock::now() < end) {
     if (ready()) return true;
-    std::this_thread::sleep_for(30ms);
+    std::this_thread::sleep_for(pause);
   }
   return ready();
+}
+
+// What a process does, all threads together.
+struct Activity {
+  uint64_t computed_ns = 0;  // since it began
+  bool awake = false;        // a thread computes now, or would if it got a processor
+};
+
+Activity activity_of(int process) {
+  Activity out;
+  for (std::error_code e; const auto& task : fs::directory_iterator(fmt::format("/proc/{}/task", process), e)) {
+    uint64_t ns = 0;
+    std::ifstream(task.path() / "schedstat") >> ns;
+    out.computed_ns += ns;
+    std::string stat;
+    std::getline(std::ifstream(task.path() / "stat"), stat);
+    const size_t name_end = stat.rfind(')');  // "pid (name) S ..."
+    out.awake |= name_end != std::string::npos && name_end + 2 < stat.size() && stat[name_end + 2] != 'S';
+  }
+  return out;
 }
 
 void stop(int& child) {
@@ -56,15 +78,10 @@ WindowDesk::WindowDesk(std::vector<std::string> arguments) {
   if (!missing_.empty()) return;
   char name[] = "/tmp/gbl-window-XXXXXX";
   folder_ = mkdtemp(name);
-  // A server may name its display and yet refuse the first client; then another one is started.
-  for (int attempt = 0; attempt < 4 && !server_answers(); ++attempt) {
-    stop(server_);
-    start_server();
-  }
-  if (!server_answers()) why_not_ = "Xvfb does not answer";
+  start_server();
   if (!why_not_.empty()) return;
   start_program(arguments);
-  wait_for([&] { return !(window_ = find_window()).empty(); }, 20s);
+  wait_for([&] { return !(window_ = find_window()).empty(); }, 20s, 50ms);
   if (window_.empty())
     why_not_ = "the window did not open";
   else
@@ -92,16 +109,13 @@ void WindowDesk::start_server() {
     _exit(127);
   }
   ::close(fds[1]);
-  char number[16] = {};
-  if (read(fds[0], number, sizeof number - 1) <= 0) why_not_ = "Xvfb did not start";
+  // The server writes its display's number when clients may come, and a line's end after it: where that second write
+  // finds no reader, it dies.
+  std::string number;
+  for (char c = 0; c != '\n' && read(fds[0], &c, 1) == 1;) number += c;
   ::close(fds[0]);
-  display_ = fmt::format(":{}", std::atoi(number));
-}
-
-bool WindowDesk::server_answers() const {
-  if (display_.empty()) return false;
-  const std::string ask = fmt::format("DISPLAY={} xdotool getdisplaygeometry 2>/dev/null", display_);
-  return wait_for([&] { return output_of(ask) == "1600 900"; }, 2s);
+  if (!number.ends_with('\n')) why_not_ = "Xvfb did not start";
+  display_ = fmt::format(":{}", std::atoi(number.c_str()));
 }
 
 void WindowDesk::start_program(const std::vector<std::string>& arguments) {
@@ -128,16 +142,35 @@ void WindowDesk::wait_until_drawn() {
     press("F12");
     if (wait_for([&] { return fs::exists(folder_ / "out"); }, 1s)) break;
   }
-  std::this_thread::sleep_for(500ms);
+  wait_until_at_rest();
   std::error_code ignored;
   fs::remove_all(folder_ / "out", ignored);
 }
 
+// The program draws at full pace while anything happens and is nearly asleep else (a look every 250 ms): it rests when
+// neither it nor the server has computed for longer than a frame's pause. A study at work never rests.
+void WindowDesk::wait_until_at_rest() const {
+  constexpr auto kLongerThanAPause = 50ms;
+  uint64_t computed_ns = 0;
+  auto since = std::chrono::steady_clock::now();
+  wait_for(
+      [&] {
+        const Activity program = activity_of(program_), server = activity_of(server_);
+        const auto now = std::chrono::steady_clock::now();
+        const uint64_t sum_ns = program.computed_ns + server.computed_ns;
+        if (program.awake || server.awake || sum_ns != computed_ns) computed_ns = sum_ns, since = now;
+        return now - since >= kLongerThanAPause;
+      },
+      2s);
+}
+
 void WindowDesk::press(const std::string& key) {
+  const uint64_t before_ns = activity_of(program_).computed_ns;
   (void)std::system(
       fmt::format("DISPLAY={} xdotool windowfocus {} key --clearmodifiers {} 2>/dev/null", display_, window_, key)
           .c_str());
-  std::this_thread::sleep_for(60ms);
+  constexpr uint64_t kFrameNs = 2'000'000;  // the interface alone takes longer
+  wait_for([&] { return activity_of(program_).computed_ns - before_ns > kFrameNs; }, 300ms);
 }
 
 void WindowDesk::hold(const std::string& key, int milliseconds) {
@@ -147,7 +180,7 @@ void WindowDesk::hold(const std::string& key, int milliseconds) {
 }
 
 Figure WindowDesk::figure() {
-  std::this_thread::sleep_for(450ms);  // a frame on the software driver, its counts, and ImGui's settling
+  wait_until_at_rest();
   const fs::path folder = folder_ / "out";
   press("F12");
   fs::path saved;
@@ -161,13 +194,15 @@ Figure WindowDesk::figure() {
   EXPECT_FALSE(saved.empty()) << "F12 saved no picture";
   if (saved.empty()) return {};
   Figure f{read_png(saved), parse_settings(read_png_text(saved, kSettingsKey), "figure")};
-  fs::remove(saved);
+  f.file = folder_ / fmt::format("figure-{}.png", ++figures_);
+  fs::rename(saved, f.file);
   return f;
 }
 
 void WindowDesk::keep(const std::string& name, const Figure& f) const {
-  fs::create_directories("window");
-  write_png(fs::path("window") / (name + ".png"), f.picture);
+  const fs::path folder = test::build_folder() / "window";
+  fs::create_directories(folder);
+  fs::copy_file(f.file, folder / (name + ".png"), fs::copy_options::overwrite_existing);
 }
 
 }  // namespace gbl

@@ -15,6 +15,7 @@ namespace gbl {
 struct Figure {
   Image picture;
   Settings settings;
+  std::filesystem::path file;  // as long as the desk stands
 };
 
 class WindowDesk {
@@ -33,10 +34,10 @@ class WindowDesk {
 
  private:
   void start_server();
-  bool server_answers() const;
   void start_program(const std::vector<std::string>& arguments);
   std::string find_window() const;
   void wait_until_drawn();
+  void wait_until_at_rest() const;
   std::filesystem::path folder_;  // the program's working folder
   std::string display_, window_, why_not_, missing_;
   int server_ = -1, program_ = -1;
