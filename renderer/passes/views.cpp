@@ -13,7 +13,7 @@ namespace {
 void draw_wires(const Frame& frame, VolumeShape shape) {
   const Settings& s = frame.settings;
   const std::vector<Light>& lights = frame.lights();
-  const size_t picked = std::min(static_cast<size_t>(s.view.pick), lights.size() - 1);
+  const size_t picked = std::min(static_cast<size_t>(frame.view.pick), lights.size() - 1);
   gl::Defines defines = frame.defines();
   defines.push_back({"SHAPE", static_cast<int>(shape)});
   const gl::Program& program = frame.programs.get("volume_wire.vert", "volume_wire.frag", defines);
@@ -22,7 +22,7 @@ void draw_wires(const Frame& frame, VolumeShape shape) {
   set_mesh_uniforms(program, s, shape, 0);
   glBindVertexArray(mesh.wire.id());
   for (size_t i = 0; i < lights.size(); ++i) {
-    if (volume_shape(lights[i]) != shape || (s.view.volumes == VolumeOverlay::picked && i != picked)) continue;
+    if (volume_shape(lights[i]) != shape || (frame.view.volumes == VolumeOverlay::picked && i != picked)) continue;
     glUniform1i(program.uniform("light_index"), static_cast<GLint>(i));
     glDrawElements(GL_LINES, mesh.edge_indices, GL_UNSIGNED_INT, nullptr);
   }

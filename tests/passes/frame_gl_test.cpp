@@ -210,5 +210,29 @@ TEST_F(Frames, StateLeftByOthersDoesNotLeakIn) {
   }
 }
 
+int differing_texels(const Image& a, const Image& b) {
+  int n = 0;
+  for (size_t i = 0; i < a.rgba.size(); i += 4) n += !std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]);
+  return n;
+}
+
+// What is looked at has no part in a resolved frame, and changes the wires all the same.
+TEST_F(Frames, WiresAreThoseOfThePickedLightOrOfAll) {
+  Stage& stage = shared_stage(yard());
+  Settings s = settings_for(yard());
+  s.lights.count = 9;
+  stage.draw(s);
+  const auto shown = [&](VolumeOverlay volumes, int pick) {
+    s.view.volumes = volumes;
+    s.view.pick = pick;
+    return stage.view(View::final, s, {.overlays = true});
+  };
+  const Image off = shown(VolumeOverlay::off, 0), all = shown(VolumeOverlay::all, 0);
+  const Image first = shown(VolumeOverlay::picked, 0), fifth = shown(VolumeOverlay::picked, 4);
+  EXPECT_GT(differing_texels(first, off), 0);
+  EXPECT_GT(differing_texels(first, fifth), 0);
+  EXPECT_LT(2 * differing_texels(fifth, off), differing_texels(all, off));
+}
+
 }  // namespace
 }  // namespace gbl::test
