@@ -26,7 +26,7 @@ void BackgroundAdvice::stop(std::string why) {
   note_ = std::move(why);
 }
 
-void BackgroundAdvice::start(const Settings& now, const ui::Requests::Advisor& asked) {
+void BackgroundAdvice::start(const Settings& now, const ui::AdvisorRequest& asked) {
   stop("");
   if (now.scene != lab_.scene_name()) return;  // it is being read
   truth_ = as_measured(now), budget_ = asked.budget, cost_ = asked.cost;
@@ -74,7 +74,7 @@ void BackgroundAdvice::finish() {
 }
 
 void BackgroundAdvice::update(const Settings& now, const ui::Requests& requests, bool quiet) {
-  const ui::Requests::Advisor& asked = requests.advisor;
+  const ui::AdvisorRequest& asked = requests.advisor;
   if (scene_ != lab_.gpu_scene()) {
     scene_ = lab_.gpu_scene();
     forget();

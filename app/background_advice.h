@@ -17,7 +17,7 @@ class BackgroundAdvice : public BackgroundJob {
   void fill(ui::Input& in) const override { in.advisor = &shown_; }
 
  private:
-  void start(const Settings& now, const ui::Requests::Advisor&);
+  void start(const Settings& now, const ui::AdvisorRequest&);
   void stop(std::string why);
   void work();
   bool step();

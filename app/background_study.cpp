@@ -87,7 +87,7 @@ void BackgroundStudy::stop(const std::string& why) {
   changed_ = true;
 }
 
-void BackgroundStudy::take(const ui::Requests::Chart& asked, const Settings& now) {
+void BackgroundStudy::take(const ui::ChartRequest& asked, const Settings& now) {
   if (asked.open && shown_.studies.empty() && note_.empty()) list_studies();
   if (asked.study != study_) {
     study_ = asked.study;
@@ -102,7 +102,7 @@ void BackgroundStudy::take(const ui::Requests::Chart& asked, const Settings& now
 }
 
 void BackgroundStudy::update(const Settings& now, const ui::Requests& requests, bool quiet) {
-  const ui::Requests::Chart& asked = requests.chart;
+  const ui::ChartRequest& asked = requests.chart;
   if (scene_ != lab_.gpu_scene()) {
     scene_ = lab_.gpu_scene();
     forget();

@@ -36,7 +36,7 @@ class BackgroundStudy : public BackgroundJob {
   };
   enum class Task { none, study, at_hand };
 
-  void take(const ui::Requests::Chart&, const Settings& now);
+  void take(const ui::ChartRequest&, const Settings& now);
   void list_studies();
   void start(const std::string& study, const Settings& now);
   Run make_run(const std::string& study, const Settings& now) const;

@@ -41,7 +41,7 @@ void BackgroundSweep::stop() {
   running_ = nullptr;
 }
 
-void BackgroundSweep::take(const ui::Requests::Stability& asked) {
+void BackgroundSweep::take(const ui::StabilityRequest& asked) {
   const bool other = !chosen_ || chosen_->runner.result().sweep->id != asked.sweep;
   if (other || asked.stop || !asked.open) stop();
   if (!asked.open) return;
@@ -66,7 +66,7 @@ void BackgroundSweep::work() {
 }
 
 void BackgroundSweep::update(const Settings&, const ui::Requests& requests, bool quiet) {
-  const ui::Requests::Stability& asked = requests.stability;
+  const ui::StabilityRequest& asked = requests.stability;
   if (!asked.open && !running_) return;
   try {
     take(asked);

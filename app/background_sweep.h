@@ -24,7 +24,7 @@ class BackgroundSweep : public BackgroundJob {
     std::string failed;  // what went wrong while a point was measured
   };
   Run make_run(const Sweep&);
-  void take(const ui::Requests::Stability&);
+  void take(const ui::StabilityRequest&);
   void start();
   void stop();
   void work();

@@ -7,6 +7,7 @@
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
 #include "ui/camera_motion.h"
+#include "ui/keys.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -113,15 +114,12 @@ void show_view(FrameContext& f, View v) {
   const bool again = f.state.large && f.chosen() == v;
   f.settings.view.main = row(v).id;
   f.state.large = !again;
-  if (f.state.card) f.state.card = v;
+  turn_panels(f.state, v);
 }
 
 void open_lesson(State& state, Settings& settings, Lesson lesson) {
   state.lesson = LessonRun{std::move(lesson)};
-  state.chooser.reset();
-  state.card.reset();
-  state.options_page.reset();
-  state.help = false;
+  close_panels(state, {Place::over, Place::whole, Place::edge});
   show_step(state, settings, 0);
 }
 
@@ -149,8 +147,7 @@ void advance_motion(FrameContext& f) {
   const double dt = s.last_seconds < 0 ? 0 : std::clamp(f.input.seconds - s.last_seconds, 0.0, 0.25);
   s.last_seconds = f.input.seconds;
   if (s.playing) f.settings.time_s += dt;
-  const bool typed = s.options_page || s.beside() || s.go_to || s.edited || ImGui::GetIO().WantTextInput;
-  const Motion motion = typed ? Motion{} : motion_of(f.input.held);
+  const Motion motion = letters_are_a_panels(s) || typing(f) ? Motion{} : motion_of(f.input.held);
   s.camera_key = motion.any();
   if (s.camera_key) {
     s.glide.reset();

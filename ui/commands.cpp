@@ -54,12 +54,12 @@ void go_home(FrameContext& f, const KeyEvent&) {
   State& s = f.state;
   f.settings = s.initial;
   s.large = s.initial.view.main != "final";
-  s.playing = s.show_distance = s.help = s.hidden = false;
+  s.playing = s.show_distance = s.hidden = false;
+  close_panels(s, {Place::over, Place::whole});
   s.glide.reset();
   s.before_glide.reset();
   s.held_at.reset();
   s.lesson.reset();
-  s.card.reset();
   say(f, {"Home: everything is as it was loaded.", ""});
 }
 
@@ -103,7 +103,6 @@ void toggle_time(FrameContext& f, const KeyEvent&) {
           ""});
 }
 
-void toggle_help(FrameContext& f, const KeyEvent&) { f.state.help = !f.state.help; }
 void pick_object(FrameContext& f, const KeyEvent&) {
   int& picked = f.settings.view.object;
   const std::optional<PixelProbe>& probe = f.input.probe;
@@ -132,23 +131,10 @@ void go_to_worst(FrameContext& f, const KeyEvent&) {
 
 void toggle_hidden(FrameContext& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
 void reload_shaders(FrameContext& f, const KeyEvent&) { f.requests.reload_shaders = true; }
+void reveal_answer(FrameContext& f, const KeyEvent&) {
+  if (f.state.lesson) f.state.lesson->revealed = true;
+}
 void save_figure(FrameContext& f, const KeyEvent&) { f.requests.save_figure = true; }
-
-void toggle_card(FrameContext& f, const KeyEvent&) {
-  if (f.state.card)
-    f.state.card.reset();
-  else
-    f.state.card = f.state.hovered.value_or(f.chosen());
-}
-
-void toggle_options(FrameContext& f, const KeyEvent& e) {
-  std::optional<int>& page = f.state.options_page;
-  const int next = page ? *page + (e.shift ? -1 : 1) : 0;
-  if (next < 0 || next >= option_pages())
-    page.reset();
-  else
-    page = next;
-}
 
 void toggle_navigation(FrameContext& f, const KeyEvent&) {
   ImGuiIO& io = ImGui::GetIO();
@@ -175,16 +161,8 @@ void nudge_pixel(FrameContext& f, const KeyEvent& e) {
   f.hold(pixel);
 }
 
-void open_go_to(FrameContext& f, const KeyEvent&) {
-  f.state.go_to = f.state.focus_go_to = true;
-  const glm::ivec2 pixel = f.held_pixel().value_or(f.frame_size() / 2);
-  f.state.go_to_text = {};
-  fmt::format_to_n(f.state.go_to_text.begin(), f.state.go_to_text.size() - 1, "{}, {}", pixel.x, pixel.y);
-}
-
 void stop_typing(FrameContext& f) {
-  f.state.go_to = false;
-  f.state.edited = nullptr;
+  f.state.field.clear();
   ImGui::SetWindowFocus(nullptr);  // the field lets go of the keyboard, also if it has not seen the key itself
 }
 
@@ -193,16 +171,8 @@ void close_top(FrameContext& f, const KeyEvent&) {
   ImGuiIO& io = ImGui::GetIO();
   if (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-  else if (s.chooser)
-    s.chooser.reset();
-  else if (s.options_page)
-    s.options_page.reset();
-  else if (s.help)
-    s.help = false;
-  else if (s.beside())
-    s.chart.open = s.stability.open = s.advisor.open = false;
-  else if (s.card)
-    s.card.reset();
+  else if (close_top_panel(s))
+    return;
   else if (s.held_at)
     s.held_at.reset();
   else if (s.lesson)

@@ -8,7 +8,6 @@ struct FrameContext;
 
 void show_all(FrameContext&, const KeyEvent&);
 void next_preset(FrameContext&, const KeyEvent&);
-void toggle_options(FrameContext&, const KeyEvent&);
 void go_home(FrameContext&, const KeyEvent&);
 void glide(FrameContext&, const KeyEvent&);
 void solo_light(FrameContext&, const KeyEvent&);
@@ -16,29 +15,16 @@ void pick_light(FrameContext&, const KeyEvent&);
 void pick_object(FrameContext&, const KeyEvent&);
 void show_error(FrameContext&, const KeyEvent&);
 void go_to_worst(FrameContext&, const KeyEvent&);
-void step_lesson(FrameContext&, const KeyEvent&);
 void reveal_answer(FrameContext&, const KeyEvent&);
-void toggle_chart(FrameContext&, const KeyEvent&);
-void toggle_stability(FrameContext&, const KeyEvent&);
-void toggle_advisor(FrameContext&, const KeyEvent&);
-void toggle_card(FrameContext&, const KeyEvent&);
 void toggle_time(FrameContext&, const KeyEvent&);
-void toggle_help(FrameContext&, const KeyEvent&);
 void toggle_hidden(FrameContext&, const KeyEvent&);
 void reload_shaders(FrameContext&, const KeyEvent&);
 void toggle_navigation(FrameContext&, const KeyEvent&);
 void save_figure(FrameContext&, const KeyEvent&);
 void scale_type(FrameContext&, const KeyEvent&);
 void nudge_pixel(FrameContext&, const KeyEvent&);
-void open_go_to(FrameContext&, const KeyEvent&);
 void close_top(FrameContext&, const KeyEvent&);
 
-// While an overlay is open its own keys come first; true = the key was its.
-bool press_in_chooser(FrameContext&, const KeyEvent&);
-bool press_in_options(FrameContext&, const KeyEvent&);
-bool press_in_chart(FrameContext&, const KeyEvent&);
-bool press_in_stability(FrameContext&, const KeyEvent&);
-bool press_in_advisor(FrameContext&, const KeyEvent&);
 void stop_typing(FrameContext&);
 
 }  // namespace gbl::ui

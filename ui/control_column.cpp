@@ -145,7 +145,7 @@ void lights_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) 
 void options_button(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
   const FontScope font(z.px);
   ImGui::SetCursorScreenPos(at);
-  if (ImGui::Button("all options   O", {column.width(), z.widget})) f.state.options_page = 0;
+  if (ImGui::Button("all options   O", {column.width(), z.widget})) press_panel(f, panel("options"), {});
   at.y += z.widget + z.gap;
 }
 

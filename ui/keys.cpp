@@ -6,6 +6,7 @@
 
 #include "renderer/options/options.h"
 #include "ui/commands.h"
+#include "ui/key_spec.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -15,35 +16,18 @@ namespace {
 constexpr KeyCommand kCommands[] = {
     {"0", "view.all", "all views at once", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},
-    {"O", "options", "all options: then the letter on the screen; O again: the next page", toggle_options},
     {"Home", "home", "everything as it was loaded", go_home},
     {"I", "glide", "glide into the picked light, and back", glide},
     {"Shift , .", "light.solo", "the picked light alone; again: all", solo_light},
     {", .", "light.pick", "pick the light before or after", pick_light, true},
-    {"PgUp PgDn", "lesson.step", "a lesson's step back or on; none open: choose one", step_lesson},
     {"Enter", "lesson.reveal", "show the answer", reveal_answer},
-    {"Ctrl+G", "pixel.go-to", "hold the pixel at a typed x, y", open_go_to},
     {"G", "object.pick", "outline and name the object under the mouse or at the held pixel; again: none", pick_object},
     {"U", "error", "the error against the reference, alone; Shift: the reference; again: all views", show_error},
     {"J", "error.worst", "hold the pixel whose error is largest", go_to_worst},
-    {"H", "card", "what is this buffer: the card of the view under the mouse, or of the chosen one", toggle_card},
     {"Space", "time.pause", "let the lights move, or stop them", toggle_time},
-    {"F1", "help", "these keys", toggle_help},
     {"F2", "hide", "the pictures alone; again: everything", toggle_hidden},
-    {"F3", "chart",
-     "speed against accuracy: a study's set-ups as points, live. In it: R runs the study, S another, arrows and Enter "
-     "choose and apply a point, X Y axes, L K logarithms, F front, G families, 1-8 show one, + - 0 zoom",
-     toggle_chart},
-    {"F4", "stability",
-     "stability: one parameter through the place where methods break, a curve each, its statement checked. In it: S "
-     "another sweep, R runs it, Up Down choose a curve, 1-8 show one, L logarithm",
-     toggle_stability},
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
-    {"F7", "advisor",
-     "the cheapest set-up that holds an error budget. In it: [ ] and B the budget, X the cost, R looks for it, Enter "
-     "applies the best, Shift+Enter the runner-up, PgUp PgDn what is left out",
-     toggle_advisor},
     {"F12", "figure", "save what is on screen as a figure", save_figure},
     {"+ -", "ui.scale", "larger or smaller type", scale_type, true},
     {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",
@@ -52,56 +36,18 @@ constexpr KeyCommand kCommands[] = {
     {"Esc", "close", "close what is open; then let go of the pixel, the lesson, the hidden panels", close_top},
 };
 
-std::string printed(std::string_view key) {
-  std::string out(key);
-  if (out == "=") return "+";  // the same key on most keyboards, without Shift
-  if (out == "_") return "-";
-  if (out.size() == 1) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
-  return out;
-}
-
-struct KeySpec {
-  bool shift = false, ctrl = false;
-  std::vector<std::string_view> keys;
-};
-
-KeySpec parse(std::string_view spec) {
-  KeySpec out;
-  if (spec.starts_with("Ctrl+")) {
-    out.ctrl = true;
-    spec.remove_prefix(5);
-  }
-  while (!spec.empty()) {
-    const size_t space = spec.find(' ');
-    const std::string_view token = spec.substr(0, space);
-    if (token == "Shift")
-      out.shift = true;
-    else
-      out.keys.push_back(token);
-    spec.remove_prefix(space == std::string_view::npos ? spec.size() : space + 1);
-  }
-  return out;
-}
-
-// Which of the row's keys this is, from 0; -1 = none.
-int match(const char* spec_text, const KeyEvent& e) {
-  const KeySpec spec = parse(spec_text);
-  if (e.ctrl != spec.ctrl || (spec.shift && !e.shift)) return -1;
-  const auto at = std::find(spec.keys.begin(), spec.keys.end(), printed(e.key));
-  return at == spec.keys.end() ? -1 : static_cast<int>(at - spec.keys.begin());
-}
-
 // A letter's Shift goes backwards; a pair of keys has its own backwards.
-int direction(const Option& o, int which, const KeyEvent& e) {
-  if (parse(o.key).keys.size() == 2) return which == 0 ? -1 : 1;
+int direction(const KeySpec& keys, size_t which, const KeyEvent& e) {
+  if (keys.keys.size() == 2) return which == 0 ? -1 : 1;
   return e.shift ? -1 : 1;
 }
 
 bool press_option(FrameContext& f, const KeyEvent& e) {
   for (const Option& o : options()) {
-    const int which = match(o.key, e);
-    if (which < 0) continue;
-    if (!e.repeat || o.kind == Kind::integer) step_option(f, o, direction(o, which, e));
+    const KeySpec keys = key_spec(o.key);
+    const std::optional<size_t> which = which_key(keys, e);
+    if (!which) continue;
+    if (!e.repeat || o.kind == Kind::integer) step_option(f, o, direction(keys, *which, e));
     return true;
   }
   return false;
@@ -109,8 +55,19 @@ bool press_option(FrameContext& f, const KeyEvent& e) {
 
 bool press_view(FrameContext& f, const KeyEvent& e) {
   for (const ViewRow& v : views()) {
-    if (match(v.key, e) < 0) continue;
+    if (!which_key(key_spec(v.key), e)) continue;
     if (!e.repeat) show_view(f, v.view);
+    return true;
+  }
+  return false;
+}
+
+bool press_panel_key(FrameContext& f, const KeyEvent& e) {
+  for (const Panel* p : panels()) {
+    const KeySpec keys = key_spec(p->key);
+    const std::optional<size_t> which = which_key(keys, e);
+    if (!which) continue;
+    if (!e.repeat) press_panel(f, *p, as_in_table(keys, *which, e));
     return true;
   }
   return false;
@@ -118,26 +75,39 @@ bool press_view(FrameContext& f, const KeyEvent& e) {
 
 void press_command(FrameContext& f, const KeyEvent& e) {
   for (const KeyCommand& c : kCommands) {
-    const int which = match(c.key, e);
-    if (which < 0) continue;
-    if (c.run && (!e.repeat || c.repeats)) c.run(f, {std::string(parse(c.key).keys[which]), e.shift, e.ctrl, e.repeat});
+    const KeySpec keys = key_spec(c.key);
+    const std::optional<size_t> which = which_key(keys, e);
+    if (!which) continue;
+    if (c.run && (!e.repeat || c.repeats)) c.run(f, as_in_table(keys, *which, e));
     return;
   }
 }
+
+// What is said of a panel in F1's list: its own keys stand behind its help.
+std::string help_of(const Panel& p) {
+  std::string text = p.help, before = ". In it: ";
+  for (const PanelKey& k : p.keys) {
+    if (!k.run) continue;
+    text += fmt::format("{}{} {}", before, printed_keys(k.key), k.words);
+    before = ", ";
+  }
+  return text;
+}
+
+// 0: none of F1 … F12.
+int function_key(std::string_view key) { return key.size() > 1 && key[0] == 'F' ? std::atoi(key.data() + 1) : 0; }
 
 bool belongs_to_navigation(const KeyEvent& e) {
   constexpr const char* kKeys[] = {"Left", "Right", "Up", "Down", "Space", "Enter", "Tab"};
   return std::find(std::begin(kKeys), std::end(kKeys), e.key) != std::end(kKeys);
 }
 
-// A field that is being typed into, or will be next frame, keeps every key but Esc.
-bool typing(const FrameContext& f) { return f.state.go_to || f.state.edited || ImGui::GetIO().WantTextInput; }
-
 }  // namespace
 
+bool typing(const FrameContext& f) { return !f.state.field.empty() || ImGui::GetIO().WantTextInput; }
+
 void dispatch(FrameContext& f, const KeyEvent& e) {
-  const bool function_key = e.key.size() > 1 && e.key[0] == 'F';  // no field wants those
-  if (typing(f) && !function_key) {
+  if (typing(f) && function_key(e.key) == 0) {  // no field wants those
     if (e.key == "Esc") stop_typing(f);
     if (e.key == "Enter") f.state.entered = true;
     return;
@@ -146,12 +116,7 @@ void dispatch(FrameContext& f, const KeyEvent& e) {
   f.state.dismissed = f.input.message;
   if ((ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) && belongs_to_navigation(e)) return;
   f.state.caption.reset();
-  if (f.state.chooser && press_in_chooser(f, e)) return;
-  if (f.state.options_page && press_in_options(f, e)) return;
-  if (f.state.chart.open && press_in_chart(f, e)) return;
-  if (f.state.stability.open && press_in_stability(f, e)) return;
-  if (f.state.advisor.open && press_in_advisor(f, e)) return;
-  if (press_option(f, e) || press_view(f, e)) return;
+  if (press_in_panels(f, e) || press_option(f, e) || press_view(f, e) || press_panel_key(f, e)) return;
   press_command(f, e);
 }
 
@@ -166,14 +131,16 @@ std::vector<KeyRow> key_rows() {
     if (*v.key)
       rows.push_back({v.key, fmt::format("view.{}", v.id), fmt::format("{} alone; again: all views", v.label)});
   for (const KeyCommand& c : kCommands) rows.push_back({c.key, c.id, c.help});
+  for (const Panel* p : panels()) rows.push_back({p->key, p->id, help_of(*p)});
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const KeyRow& a, const KeyRow& b) { return function_key(a.key) < function_key(b.key); });
   return rows;
 }
 
 std::vector<KeyEvent> presses_of(const KeyRow& row) {
-  const KeySpec spec = parse(row.key);
+  const KeySpec spec = key_spec(row.key);
   std::vector<KeyEvent> presses;
-  for (const std::string_view key : spec.keys) {
-    std::string name(key);
+  for (std::string name : spec.keys) {
     if (name.size() == 1) name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
     presses.push_back({name, spec.shift, spec.ctrl, false});
   }

@@ -1,6 +1,6 @@
 #pragma once
 // The keyboard as one table: an option's key stands in its row of the options table, a view's in its row of the
-// views table, everything else is a command here. F1, `list keys` and the dispatch read the same rows.
+// views table, a panel's in its row of the panels table, everything else is a command here. F1, `list keys` and the dispatch read the same rows.
 #include <string_view>
 #include <vector>
 
@@ -19,6 +19,8 @@ struct KeyCommand {
 };
 
 void dispatch(FrameContext&, const KeyEvent&);
+// A field that is being typed into, or will be in the next frame, keeps every key but Esc.
+bool typing(const FrameContext&);
 
 // Presses that a row answers to, e.g. "[ ]" -> "[" and "]"; what scripts and tests send.
 std::vector<KeyEvent> presses_of(const KeyRow&);

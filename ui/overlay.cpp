@@ -1,7 +1,6 @@
-// Windows above the pictures: fixed boxes without decoration; the pixel's dialog and the messages.
+// Windows above the pictures: fixed boxes without decoration; a line to type in, and the messages.
 #include <fmt/format.h>
 
-#include "renderer/base/size_text.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -23,48 +22,22 @@ void end_overlay() {
   ImGui::PopStyleColor();
 }
 
-bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, char* buffer, size_t size, bool focus) {
+bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, char* buffer, size_t size) {
+  const bool wanted = f.state.field == id;
   const FontScope font(px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::round(px * 0.4f), std::floor((box.height() - px) / 2)});
   ImGui::SetCursorScreenPos(box.min);
   ImGui::SetNextItemWidth(box.width());
-  if (focus) ImGui::SetKeyboardFocusHere();
+  if (wanted && f.state.focus_field) ImGui::SetKeyboardFocusHere();
   bool entered = ImGui::InputText(fmt::format("##{}", id).c_str(), buffer, size,
                                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   // ImGui looks at keys once a frame: a tap shorter than a slow frame reaches us as an event only.
   entered |= ImGui::IsItemActive() && f.state.entered;
   if (entered) ImGui::SetWindowFocus(nullptr);
+  if (wanted && ImGui::IsItemActive()) f.state.focus_field = false;
+  if (wanted && (entered || ImGui::IsItemDeactivated())) f.state.field.clear();
   ImGui::PopStyleVar();
   return entered;
-}
-
-// Ctrl+G: two numbers; Enter holds the pixel there, Esc leaves.
-void draw_go_to(FrameContext& f) {
-  State& s = f.state;
-  if (!s.go_to) return;
-  const float px = f.type.body, line = line_height(px), width = px * 20;
-  const Box& main = f.layout.main_box();
-  const ImVec2 min{std::floor(main.min.x + (main.width() - width) / 2), std::floor(main.min.y + main.height() * 0.4f)};
-  const Box box{min, {min.x + width, min.y + std::round(5 * line)}};
-  begin_overlay("go to pixel", box, kSurface);
-  Painter p(*ImGui::GetWindowDrawList(), s.cut_texts);
-  const Box room = box.inset(std::round(px * 0.6f));
-  p.text_in({room.min, {room.max.x, room.min.y + line}}, px, kText, "Hold the pixel at x, y");
-  const float top = room.min.y + std::round(1.3f * line);
-  const Box field{{room.min.x, top}, {room.max.x, top + std::round(1.6f * line)}};
-  const bool entered = draw_text_field(f, "pixel", field, px, s.go_to_text.data(), s.go_to_text.size(), s.focus_go_to);
-  if (ImGui::IsItemActive()) s.focus_go_to = false;
-  const glm::ivec2 last = f.frame_size() - 1;
-  if (entered) {
-    s.go_to = false;
-    if (const std::optional<glm::ivec2> pixel = pixel_of(s.go_to_text.data()))
-      f.hold(*pixel);
-    else
-      s.notice = fmt::format("'{}' is not a pixel; write two whole numbers, x, y", s.go_to_text.data());
-  }
-  p.text_in({{room.min.x, room.max.y - line_height(f.type.small)}, room.max}, f.type.small, kDim,
-            fmt::format("0 … {}, 0 … {} from the top left; Enter", last.x, last.y));
-  end_overlay();
 }
 
 // An error or a notice, across the top until the next key.

@@ -2,20 +2,11 @@
 #include <fmt/format.h>
 
 #include "ui/camera_motion.h"
-#include "ui/side_panel.h"
 #include "ui/state.h"
 #include "ui/view_panel.h"
 
 namespace gbl::ui {
 namespace {
-
-// An overlay is opaque: what is wholly below one need not be drawn at all.
-bool covered(const FrameContext& f, const Box& panel) {
-  if (f.state.help) return true;
-  if (f.state.beside() && side_box(f).contains(panel)) return true;
-  if (f.state.options_page && options_box(f).contains(panel)) return true;
-  return f.state.card && card_box(f).contains(panel);
-}
 
 void hover(FrameContext& f, View v, const Box& picture) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;  // a whole screen pixel: its centre is meant
@@ -108,6 +99,7 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, picture_box(panel, image.size), *pixel);
 }
 
+// A panel above is opaque: what is wholly below one need not be drawn at all.
 template <class Do>
 void for_each_panel(FrameContext& f, Do what) {
   for (int i = 0; i < kViewCount; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 // What the window remembers between frames and no picture depends on, and what every panel is handed in a frame.
-#include <array>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <string>
@@ -8,9 +8,8 @@
 
 #include "renderer/options/options.h"
 #include "ui/captions.h"
-#include "ui/chart_state.h"
 #include "ui/layout.h"
-#include "ui/side_state.h"
+#include "ui/panel.h"
 #include "ui/style.h"
 #include "ui/ui.h"
 
@@ -44,21 +43,21 @@ struct State {
   bool present;
   bool large;  // the chosen view alone, else the mosaic
   float ui_scale = 1;
-  bool hidden = false, help = false, playing = false;
-  std::optional<View> card;         // whose card is open
-  std::optional<int> options_page;  // of the all-options panel
-  const Option* edited = nullptr;   // has the keyboard for a typed value
-  bool focus_edited = false;
-  bool entered = false;         // Enter, in this frame, while something is typed
-  std::optional<int> chooser;   // the highlighted lesson
-  std::vector<Lesson> lessons;  // that the chooser offers
-  bool go_to = false, focus_go_to = false;
-  std::array<char, 32> go_to_text{};  // "x, y"
+  bool hidden = false, playing = false;
 
-  ChartState chart;
-  StabilityState stability;
-  AdvisorState advisor;
-  bool beside() const { return chart.open || stability.open || advisor.open; }  // a panel stands on the right half
+  std::vector<std::unique_ptr<PanelState>> panels = make_panel_states();  // of each row of the table
+  // What a panel remembers, by its type.
+  template <class T>
+  T& of() const {
+    for (const auto& p : panels)
+      if (T* t = dynamic_cast<T*>(p.get())) return *t;
+    std::abort();  // no row makes one
+  }
+
+  std::string field;         // has the keyboard, or will have it in the next frame; "" = none that a key has opened
+  bool focus_field = false;  // in this frame
+  bool entered = false;      // Enter, in this frame, while something is typed
+  void type_into(const char* id) { field = id, focus_field = true; }
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;
@@ -113,38 +112,23 @@ void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
 void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
 
-// ---- panels, one function each ------------------------------------------------------------------------------
+// ---- what is always there, one function each; the others are rows of ui/panel.h --------------------
 void draw_pictures(FrameContext&);
 void draw_error_numbers(FrameContext&, const Box& panel);  // on the error or reference view, if it is the large one
 void draw_strip(FrameContext&);
 void draw_lesson(FrameContext&, const Box&);
 void draw_control_column(FrameContext&);
 void draw_status_bar(FrameContext&);
-void draw_options_panel(FrameContext&);
-void draw_chart(FrameContext&);
-void draw_stability(FrameContext&);
-void draw_advisor(FrameContext&);
-void draw_card(FrameContext&);
-void draw_help(FrameContext&);
-void draw_chooser(FrameContext&);
-void draw_go_to(FrameContext&);
 void draw_notices(FrameContext&);
 void draw_hidden_hint(FrameContext&);
-Box options_box(const FrameContext&);
-Box card_box(const FrameContext&);
 float status_height(const Type&);
 
 // A widget in a box: a choice's combo (unsound rows marked, unavailable ones disabled with the reason).
 void draw_choice(FrameContext&, const Option&, const Box&, float px);
 std::string sound_mark(const Option&, const Settings&);  // "⚠ unsound: pitfall" or ""
 
-// The all-options panel: its pages, and the letter that selects an option on its page ("" = it has a key of its own).
-int option_pages();
-std::vector<const Option*> options_on_page(int page);
-std::string option_letter(const std::vector<const Option*>& page, const Option&);
-
 // A line to type in, over the whole box; true when Enter was pressed in it. It loses the keyboard then.
-bool draw_text_field(FrameContext&, const char* id, const Box&, float px, char* buffer, size_t size, bool focus);
+bool draw_text_field(FrameContext&, const char* id, const Box&, float px, char* buffer, size_t size);
 
 // A window for overlays: fixed, above the pictures, without any decoration.
 bool begin_overlay(const char* id, const Box&, ImU32 background);

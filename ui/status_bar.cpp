@@ -48,7 +48,7 @@ std::string pixel_in_words(const FrameContext& f, const PixelProbe& p) {
 
 std::string right_text(const FrameContext& f) {
   std::string text;
-  if (const ChartInput* c = f.input.chart; c && !c->running.empty() && !f.state.chart.open)
+  if (const ChartInput* c = f.input.chart; c && !c->running.empty() && !is_open(f.state, "chart"))
     text += fmt::format("F3: study “{}” {}/{}   ", c->running, c->done, c->total);
   if (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) text += "panel keys on, Esc leaves   ";
   if (f.state.held_at) text += "pixel held, Esc lets go   ";

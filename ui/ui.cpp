@@ -4,7 +4,7 @@
 
 #include "renderer/frame/resolve.h"
 #include "ui/keys.h"
-#include "ui/side_panel.h"
+#include "ui/state.h"
 
 namespace gbl::ui {
 namespace {
@@ -16,7 +16,7 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Type& t
           .chosen = view_by_id(settings.view.main).view,
           .large = s.large,
           .hidden = s.hidden,
-          .beside = s.beside(),
+          .beside = panel_beside(s),
           .status_height = status_height(type)};
 }
 
@@ -44,8 +44,7 @@ void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   advance_motion(f);
   f.type = type_of(f.state);
   f.layout = make_layout(layout_input(f.state, f.settings, f.type));
-  if (f.state.options_page) f.layout.strip.max.x = std::min(f.layout.strip.max.x, options_box(f).min.x);
-  if (f.state.beside()) f.layout.strip.max.x = std::min(f.layout.strip.max.x, side_box(f).min.x);
+  make_room(f);
 }
 
 }  // namespace
@@ -77,14 +76,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
     draw_hidden_hint(f);
   }
   ImGui::End();
-  draw_chart(f);
-  draw_stability(f);
-  draw_advisor(f);
-  draw_options_panel(f);
-  draw_card(f);
-  draw_help(f);
-  draw_chooser(f);
-  draw_go_to(f);
+  draw_panels(f);
   draw_notices(f);
   if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
   return requests;
@@ -93,6 +85,8 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
 void Ui::open_lesson(std::string_view id, Settings& settings) { ui::open_lesson(*state_, settings, load_lesson(id)); }
 
 bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }
+
+bool Ui::is_open(std::string_view panel) const { return ui::is_open(*state_, panel); }
 
 const std::vector<std::string>& Ui::cut_texts() const { return state_->cut_texts; }
 

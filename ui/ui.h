@@ -14,11 +14,10 @@
 #include "renderer/light/lights.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
-#include "renderer/study/advice/advisor.h"
-#include "renderer/study/rows/study_row.h"
-#include "renderer/study/stability/stability.h"
-#include "renderer/study/study_spec.h"
 #include "renderer/truth/error_stats.h"
+#include "ui/advisor_io.h"
+#include "ui/chart_io.h"
+#include "ui/stability_io.h"
 
 namespace gbl::ui {
 
@@ -40,47 +39,6 @@ struct PixelProbe {
 struct ViewImage {
   uint64_t texture = 0;  // ImTextureID; 0 = not drawn this frame
   glm::ivec2 size{0};    // row 0 of the texture is the picture's bottom row (GL): draw with v flipped
-};
-
-// What the chart shows: rows of a study in the scene and with the truth at hand, and set-ups that were tried by hand.
-struct ChartInput {
-  struct Study {
-    std::string id, label;
-    std::string x, y, family;  // of its chart, unless another is asked for
-  };
-  std::vector<Study> studies;      // that can run here
-  std::vector<StudyRow> rows;      // as renderer/study/study.h makes them, failed ones among them
-  std::vector<Settings> settings;  // of each row, as asked for
-  std::optional<size_t> current;   // the row of the settings at hand; empty: not measured yet
-  bool measuring = false;          // the settings at hand are being measured
-  glm::ivec2 size{0};              // at which rows are measured
-
-  std::string running;                 // a study's id; empty: none runs
-  size_t done = 0, total = 0;          // of the one that runs, or else of the one that is shown
-  std::optional<double> seconds_left;  // empty: nobody knows yet
-  std::string note;                    // why a study stopped or left cases out; empty = nothing to say
-};
-
-// What the stability panel shows of the sweep that it asked for.
-struct StabilityInput {
-  const SweepResult* result = nullptr;           // its points so far; null: not begun
-  std::vector<std::vector<std::string>> stated;  // of each curve, judged or not yet
-  size_t done = 0, total = 0;                    // points
-  bool running = false;
-  std::optional<double> seconds_left;  // empty: nobody knows yet
-  std::string note;                    // why it stopped, or what it leaves out; empty = nothing to say
-};
-
-// What the advisor panel shows: the answer found last, and how far the one asked for now has come.
-struct AdvisorInput {
-  std::optional<Advice> advice;  // the last complete one in this scene
-  ErrorBudget budget;            // that it was asked for
-  AdviceCost cost = AdviceCost::bytes;
-  bool running = false;
-  size_t tried = 0;      // set-ups and values so far, of the one that runs
-  std::string progress;  // what it tries
-  std::string note;      // why it stopped, or why its answer is an old one; empty = nothing to say
-  glm::ivec2 size{0};    // at which set-ups are measured
 };
 
 // What the UI reads this frame.
@@ -118,22 +76,9 @@ struct Requests {
   std::array<bool, kViewCount> visible{};  // views that the next frame must draw
   glm::ivec2 picture_size{0};              // of the largest picture on screen, in screen pixels
   std::optional<double> wake_in;           // seconds until the window changes by itself (a caption ends)
-  struct Chart {
-    bool open = false;               // the settings at hand are to be measured
-    std::string study;               // whose rows are to be shown; empty = not chosen yet
-    bool run = false, stop = false;  // that study; any that runs
-  } chart;
-  struct Stability {
-    bool open = false;  // closed: nothing of it runs
-    std::string sweep;  // that is shown
-    bool run = false, stop = false;
-  } stability;
-  struct Advisor {
-    bool open = false;  // closed: nothing of it runs
-    ErrorBudget budget;
-    AdviceCost cost = AdviceCost::bytes;
-    bool run = false, stop = false;
-  } advisor;
+  ChartRequest chart;
+  StabilityRequest stability;
+  AdvisorRequest advisor;
 };
 
 // Window state that is no part of a picture's settings.
@@ -154,6 +99,7 @@ class Ui {
   void open_lesson(std::string_view id, Settings&);  // Error with the known ones
   bool moving(const Settings&) const;                // time runs, a glide is under way or a camera key is held
 
+  bool is_open(std::string_view panel) const;  // by its id
   // Texts that did not fit their place in the last frame at any legible size. Tests demand none.
   const std::vector<std::string>& cut_texts() const;
 
@@ -184,9 +130,10 @@ void draw_sheet(const Sheet&, const Settings&, const Input&);
 // ---- keys ------------------------------------------------------------------------------------------------
 struct KeyRow {
   std::string key;  // as printed: "C", "[ ]", "Shift ,"
-  std::string id;   // "lights.cull" or the command's id
+  std::string id;   // "lights.cull", or the command's or the panel's id
   std::string help;
 };
-std::vector<KeyRow> key_rows();  // axes' keys from the options table, then commands; for F1 and `list keys`
+// For F1 and `list keys`: the options' keys, the views', the commands' and the panels', F1 … F12 at the end.
+std::vector<KeyRow> key_rows();
 
 }  // namespace gbl::ui

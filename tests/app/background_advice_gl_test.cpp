@@ -10,14 +10,14 @@ namespace {
 class BackgroundAdvices : public ViewerTest {
  protected:
   const ui::AdvisorInput& shown() const { return *viewer_->input(0).advisor; }
-  bool frame(const Settings& s, const ui::Requests::Advisor& asked, bool quiet = true) {
+  bool frame(const Settings& s, const ui::AdvisorRequest& asked, bool quiet = true) {
     ui::Requests r = showing({View::final});
     r.advisor = asked;
     viewer_->update(s, r, false);
     viewer_->measure(s, r, quiet);
     return viewer_->busy();
   }
-  void frames_until(const Settings& s, const ui::Requests::Advisor& asked, size_t tried) {
+  void frames_until(const Settings& s, const ui::AdvisorRequest& asked, size_t tried) {
     for (int k = 0; k < 5000 && shown().tried < tried; ++k) frame(s, asked);
     ASSERT_GE(shown().tried, tried);
   }
@@ -28,10 +28,9 @@ class BackgroundAdvices : public ViewerTest {
     return s;
   }
   static constexpr ErrorBudget kBudget{8 / 255.0, 0.02};  // that some set-ups hold in the yard and some do not
-  static constexpr ui::Requests::Advisor kOpen{.open = true, .budget = kBudget, .cost = AdviceCost::bytes};
-  static constexpr ui::Requests::Advisor kRun{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .run = true};
-  static constexpr ui::Requests::Advisor kStop{
-      .open = true, .budget = kBudget, .cost = AdviceCost::bytes, .stop = true};
+  static constexpr ui::AdvisorRequest kOpen{.open = true, .budget = kBudget, .cost = AdviceCost::bytes};
+  static constexpr ui::AdvisorRequest kRun{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .run = true};
+  static constexpr ui::AdvisorRequest kStop{.open = true, .budget = kBudget, .cost = AdviceCost::bytes, .stop = true};
 };
 
 TEST_F(BackgroundAdvices, TheAnswerIsThatOfAdviseAtOnceAndThePictureStays) {

@@ -9,7 +9,7 @@ namespace {
 class BackgroundSweeps : public ViewerTest {
  protected:
   const ui::StabilityInput& shown() const { return *viewer_->input(0).stability; }
-  bool frame(ui::Requests::Stability asked, bool quiet = true) {
+  bool frame(ui::StabilityRequest asked, bool quiet = true) {
     ui::Requests r = showing({View::final});
     r.stability = std::move(asked);
     viewer_->update(settings_, r, false);
@@ -21,7 +21,7 @@ class BackgroundSweeps : public ViewerTest {
     frame({});
     settle(settings_, showing({View::final}));
   }
-  void run_to_end(const ui::Requests::Stability& asked) {
+  void run_to_end(const ui::StabilityRequest& asked) {
     for (int k = 0; k < 20000 && frame(asked); ++k) {
     }
     EXPECT_FALSE(viewer_->busy());
@@ -82,7 +82,7 @@ TEST_F(BackgroundSweeps, APointAFrameAtMostAndOnlyWhileItIsQuiet) {
 
 TEST_F(BackgroundSweeps, ItStopsWhenAskedOrClosedAndGoesOnWhereItWas) {
   settle_picture();
-  const ui::Requests::Stability open{.open = true, .sweep = "far-plane"};
+  const ui::StabilityRequest open{.open = true, .sweep = "far-plane"};
   frame({.open = true, .sweep = "far-plane", .run = true});
   for (int k = 0; k < 200 && shown().done < 5; ++k) frame(open);
   frame({.open = true, .sweep = "far-plane", .stop = true});

@@ -32,19 +32,19 @@ class BackgroundStudies : public ViewerTest {
   const ui::ChartInput& chart() const { return *viewer_->input(0).chart; }
 
   // A window frame; true while there is more to come.
-  bool frame(const Settings& s, ui::Requests::Chart asked, bool quiet = true) {
+  bool frame(const Settings& s, ui::ChartRequest asked, bool quiet = true) {
     ui::Requests r = showing({View::final});
     r.chart = std::move(asked);
     viewer_->update(s, r, false);
     viewer_->measure(s, r, quiet);
     return viewer_->busy();
   }
-  void run_to_end(const Settings& s, const ui::Requests::Chart& asked) {
+  void run_to_end(const Settings& s, const ui::ChartRequest& asked) {
     int frames = 0;
     while (frame(s, asked) && frames < 5000) ++frames;
     EXPECT_FALSE(viewer_->busy());
   }
-  void run_until_done(size_t rows, const Settings& s, const ui::Requests::Chart& asked) {
+  void run_until_done(size_t rows, const Settings& s, const ui::ChartRequest& asked) {
     for (int frames = 0; chart().done < rows && frames < 2000; ++frames) frame(s, asked);
     ASSERT_EQ(chart().done, rows);
   }

@@ -7,7 +7,7 @@
 #include "renderer/study/study.h"
 #include "tests/study/study_rows.h"
 #include "tests/ui/ui_desk.h"
-#include "ui/chart_view.h"
+#include "ui/panels/chart_view.h"
 #include "ui/plot.h"
 
 namespace gbl::ui {
@@ -156,7 +156,7 @@ class ChartDesk : public Desk {
       }
     return h;
   }
-  Requests::Chart last() const { return requests.chart; }
+  ChartRequest last() const { return requests.chart; }
 
   ChartInput input;
 };
@@ -410,12 +410,12 @@ TEST(ChartViews, FamiliesThatAreOffLeaveThePlotAndTheFront) {
   Model m(desk.input);
   EXPECT_EQ(m.view().shown.size(), 2u);
   EXPECT_EQ(m.view().front.size(), 1u);
-  toggle_family(m.state.chart, "clustered");
+  toggle_family(m.state.of<ChartState>(), "clustered");
   ASSERT_EQ(m.view().shown.size(), 1u);
   EXPECT_EQ(m.view().front.size(), 1u) << "now the best of what is shown";
   EXPECT_EQ(m.view().point(m.view().front[0]).family, "quads");
   EXPECT_NE(counts_text(desk.input, m.view()).find("1 of families that are off"), std::string::npos);
-  toggle_family(m.state.chart, "clustered");
+  toggle_family(m.state.of<ChartState>(), "clustered");
   EXPECT_EQ(m.view().shown.size(), 2u);
 }
 
@@ -441,7 +441,7 @@ TEST(ChartViews, LogarithmicAndLinearShowTheSamePointsZerosToo) {
   for (const double over : {0.0, 0.0, 0.001, 0.5}) desk.add({1 + over, over});
   Model m(desk.input);
   for (const bool logarithmic : {true, false}) {
-    m.state.chart.log_y = logarithmic;
+    m.state.of<ChartState>().log_y = logarithmic;
     const ChartView v = m.view();
     EXPECT_EQ(v.y.logarithmic, logarithmic);
     EXPECT_EQ(v.y.zero_at.has_value(), logarithmic);
@@ -468,7 +468,7 @@ TEST(ChartViews, TheSettingsAtHandStayInSightWhenTheirFamilyIsOff) {
   desk.add({500, 0.9, LightMethod::quads});
   desk.input.current = 1;
   Model m(desk.input);
-  toggle_family(m.state.chart, "quads");
+  toggle_family(m.state.of<ChartState>(), "quads");
   const ChartView v = m.view();
   ASSERT_TRUE(v.current);
   EXPECT_TRUE(PlotAxis{v.x}.shows(500));

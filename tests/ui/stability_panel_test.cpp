@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "tests/ui/ui_desk.h"
-#include "ui/stability_view.h"
+#include "ui/panels/stability_view.h"
 
 namespace gbl::ui {
 namespace {
@@ -163,7 +163,7 @@ struct Model {
         input{.scene = scene, .lights = lights, .features = {}, .report = report},
         frame{state, settings, input, requests, {}, {}, Painter(*ImGui::GetBackgroundDrawList(), state.cut_texts)} {
     input.stability = &rows;
-    while (sweeps()[state.stability.sweep].id != std::string_view(s.id)) ++state.stability.sweep;
+    while (sweeps()[state.of<StabilityState>().sweep].id != std::string_view(s.id)) ++state.of<StabilityState>().sweep;
   }
   Scene scene;
   std::vector<Light> lights;
@@ -180,7 +180,7 @@ TEST(StabilityViews, TheSelectedCurvesStatementsComeFirstThenThoseThatFail) {
   const Sweep& s = sweep("view-distance");
   desk.measure(s);
   Model m(desk.input, s);
-  m.state.stability.curve = 2;
+  m.state.of<StabilityState>().curve = 2;
   const std::vector<StatedLine> lines = stated_lines(m.frame);
   ASSERT_GT(lines.size(), 4u);
   EXPECT_EQ(lines[0].curve, 2u);
@@ -207,7 +207,7 @@ TEST(StabilityViews, ZerosHaveATickAndWhatIsNotFiniteStandsInSight) {
   ASSERT_TRUE(axes.y.zero_at);
   EXPECT_EQ(ticks_seen(axes.y).front().label, "0");
   EXPECT_TRUE(axes.not_finite);
-  m.state.stability.log_y = false;
+  m.state.of<StabilityState>().log_y = false;
   EXPECT_FALSE(sweep_axes(m.frame).y.logarithmic);
 }
 

@@ -9,6 +9,7 @@
 #include "renderer/light/lights.h"
 #include "renderer/options/presets.h"
 #include "ui/keys.h"
+#include "ui/panels/options.h"
 #include "ui/state.h"
 
 namespace gbl::ui {

@@ -1,5 +1,5 @@
 // A sweep's curves: axes, lines, marks, and the bars of random configurations.
-#include "ui/stability_view.h"
+#include "ui/panels/stability_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ SweepAxes sweep_axes(const FrameContext& f) {
   if (const SweepResult* result = stability_input(f).result)
     for (size_t i = 0; i < result->curves.size(); ++i)
       for (const SweepRow& r : result->curves[i].rows) {
-        if (!r.value || !curve_on(f.state.stability, i)) continue;
+        if (!r.value || !curve_on(f.state.of<StabilityState>(), i)) continue;
         out.not_finite |= !std::isfinite(*r.value);
         if (std::isfinite(*r.value)) values.push_back(*r.value);
       }
@@ -65,13 +65,13 @@ SweepAxes sweep_axes(const FrameContext& f) {
     if (v < kDust * most) v = 0;
   const bool zeros = std::find(values.begin(), values.end(), 0) != values.end();
   const bool shares = zeros && most <= 1 && least > 1e-3;  // a logarithm would make little of it
-  out.y = axis_for({.more_is_better = !f.state.stability.log_y.value_or(!shares)}, values);
+  out.y = axis_for({.more_is_better = !f.state.of<StabilityState>().log_y.value_or(!shares)}, values);
   if (out.not_finite) out.y.high = out.y.logarithmic ? 10 * out.y.high : 1.15 * out.y.high;
   return out;
 }
 
 void draw_sweep_curves(FrameContext& f, Painter& p, Plot& plot) {
-  const StabilityState& s = f.state.stability;
+  const StabilityState& s = f.state.of<StabilityState>();
   const SweepResult* result = stability_input(f).result;
   const SweepAxes axes = sweep_axes(f);
   plot.draw_axes();
@@ -121,7 +121,7 @@ void draw_sweep_families(FrameContext& f, Painter& p, const Box& box) {
   for (size_t i = 0; i < result->curves.size(); ++i) {
     const CurveResult& c = result->curves[i];
     const Box first = cell(i + 1, 0);
-    const bool chosen = i == f.state.stability.curve;
+    const bool chosen = i == f.state.of<StabilityState>().curve;
     p.text_in({{box.min.x, middle(first)}, {first.min.x - 4, first.max.y + px}}, px, chosen ? kAccent : kText, c.curve);
     if (!c.not_drawn.empty()) {
       words_in({first.min, cell(i + 1, kFamilies - 1).max}, kDim, "not drawn here");
@@ -157,7 +157,7 @@ std::vector<StatedLine> stated_lines(const FrameContext& f) {
       for (const std::string& text : in.stated[i]) lines.push_back({i, text, Kind::open});
   }
   const auto rank = [&](const StatedLine& l) {
-    return l.curve == f.state.stability.curve ? 0 : l.mark == Kind::fails ? 1 : 2;
+    return l.curve == f.state.of<StabilityState>().curve ? 0 : l.mark == Kind::fails ? 1 : 2;
   };
   std::stable_sort(lines.begin(), lines.end(),
                    [&](const StatedLine& a, const StatedLine& b) { return rank(a) < rank(b); });

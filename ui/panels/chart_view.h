@@ -1,8 +1,23 @@
 #pragma once
 // What the chart shows in a frame: the rows as points on the chosen axes, without the families that are switched off.
-#include "ui/side_panel.h"
+#include <set>
+
+#include "ui/panels/side_panel.h"
+#include "ui/plot.h"
 
 namespace gbl::ui {
+
+struct ChartState : PanelState {
+  std::string study = "tradeoff";
+  std::string x = "time_ms_total_median", y = "over_1_255_display";  // columns
+  size_t family = 0;                                                 // of the family paths
+  std::optional<bool> log_x, log_y;                                  // empty: as the column asks for
+  bool front = true;
+  std::set<std::string> hidden;        // families
+  std::optional<Span> zoom_x, zoom_y;  // empty: everything
+  std::string selected;                // a row's key; empty = none
+  bool run = false, stop = false;      // asked for in this frame
+};
 
 struct FamilyPath {
   const char* path;
@@ -45,6 +60,6 @@ std::string counts_text(const ChartInput&, const ChartView&);
 void draw_chart_points(FrameContext&, Painter&, Plot&, const ChartView&);
 void use_chart_mouse(FrameContext&, const Plot&, const ChartView&);  // point, click, drag, wheel
 
-std::span<const PanelKey> chart_keys();
+void draw_chart(FrameContext&, Painter&, const Box&);
 
 }  // namespace gbl::ui

@@ -1,6 +1,8 @@
-#include "ui/side_panel.h"
+#include "ui/panels/side_panel.h"
 
 #include <algorithm>
+
+#include "ui/key_spec.h"
 
 namespace gbl::ui {
 namespace {
@@ -8,31 +10,20 @@ namespace {
 struct Hint {
   Box box;
   const PanelKey* row;
+  std::string cap;
 };
 
 std::vector<Hint> flow_of_hints(const Box& box, float px, std::span<const PanelKey> keys) {
   std::vector<Hint> hints;
   ImVec2 at = box.min;
   for (const PanelKey& k : keys) {
-    const float width = key_cap_width(k.key, px) + px * 0.4f + text_size(k.words, px).x;
+    const std::string cap = printed_keys(k.key);
+    const float width = key_cap_width(cap, px) + px * 0.4f + text_size(k.words, px).x;
     if (at.x > box.min.x && at.x + width > box.max.x) at = {box.min.x, at.y + std::round(line_height(px) * 1.12f)};
-    hints.push_back({{at, {at.x + width, at.y + line_height(px)}}, &k});
+    hints.push_back({{at, {at.x + width, at.y + line_height(px)}}, &k, cap});
     at.x += width + px;
   }
   return hints;
-}
-
-bool answers(const PanelKey& row, const KeyEvent& e) {
-  std::string_view names = row.events ? row.events : row.key;
-  while (!names.empty()) {
-    const size_t space = std::min(names.find(' '), names.size());
-    const std::string_view name = names.substr(0, space);
-    if (name == e.key) return true;
-    if (name.size() == 1 && e.key.size() == 1 && std::tolower(static_cast<unsigned char>(name[0])) == e.key[0])
-      return true;
-    names.remove_prefix(std::min(space + 1, names.size()));
-  }
-  return false;
 }
 
 }  // namespace
@@ -54,28 +45,12 @@ void draw_panel_keys(FrameContext& f, Painter& p, const Box& box, std::span<cons
   while (px > kSmallestPx && hints.back().box.max.y > box.max.y) hints = flow_of_hints(box, px -= 1, keys);
   if (hints.back().box.max.y > box.max.y + 1) f.state.cut_texts.emplace_back("the panel's keys");
   for (const Hint& h : hints) {
-    const float cap = p.key_cap(h.box.min, px, h.row->key);
+    const float cap = p.key_cap(h.box.min, px, h.cap);
     p.text({h.box.min.x + cap + px * 0.4f, h.box.min.y + above_text(px)}, px, kDim, h.row->words);
-    if (std::string_view(h.row->key).size() > 1) continue;  // several keys: not one button
+    if (h.cap.size() > 1) continue;  // several keys: not one button
     ImGui::SetCursorScreenPos(h.box.min);
-    if (ImGui::InvisibleButton(h.row->words, h.box.size())) h.row->run(f, {h.row->key});
+    if (ImGui::InvisibleButton(h.row->words, h.box.size())) h.row->run(f, {h.cap});
   }
-}
-
-bool press_in_panel(FrameContext& f, const KeyEvent& e, std::span<const PanelKey> keys) {
-  if (e.ctrl) return false;
-  for (const PanelKey& row : keys) {
-    if (!answers(row, e)) continue;
-    if (!e.repeat || row.repeats) row.run(f, e);
-    return true;
-  }
-  return false;
-}
-
-void toggle_side(State& s, bool& open) {
-  const bool wanted = !open;
-  s.chart.open = s.stability.open = s.advisor.open = false;
-  open = wanted;
 }
 
 }  // namespace gbl::ui

@@ -1,8 +1,8 @@
-// The stability panel's own keys.
+// F4: one parameter moved through the place where a method breaks. Its row and its keys.
 #include <fmt/format.h>
+#include <utility>
 
-#include "ui/commands.h"
-#include "ui/stability_view.h"
+#include "ui/panels/stability_view.h"
 
 namespace gbl::ui {
 namespace {
@@ -13,7 +13,7 @@ size_t curve_count(const FrameContext& f) {
 }
 
 void step_sweep(FrameContext& f, const KeyEvent& e) {
-  StabilityState& s = f.state.stability;
+  StabilityState& s = f.state.of<StabilityState>();
   const size_t n = sweeps().size();
   s.sweep = (s.sweep + (e.shift ? n - 1 : 1)) % n;
   s.curve = 0;
@@ -23,39 +23,51 @@ void step_sweep(FrameContext& f, const KeyEvent& e) {
 
 void run_or_stop(FrameContext& f, const KeyEvent&) {
   const bool running = stability_input(f).running;
-  f.state.stability.run = !running, f.state.stability.stop = running;
+  f.state.of<StabilityState>().run = !running, f.state.of<StabilityState>().stop = running;
 }
 
 void select_curve(FrameContext& f, const KeyEvent& e) {
   if (const size_t n = curve_count(f); n > 0)
-    f.state.stability.curve = (f.state.stability.curve + (e.key == "Up" ? n - 1 : 1)) % n;
+    f.state.of<StabilityState>().curve = (f.state.of<StabilityState>().curve + (e.key == "Up" ? n - 1 : 1)) % n;
 }
 
 // 1 … 8 are the first eight, with Shift the next.
 void switch_curve(FrameContext& f, const KeyEvent& e) {
   const auto number = static_cast<size_t>(e.key[0] - '1') + (e.shift ? 8 : 0);
-  std::set<size_t>& hidden = f.state.stability.hidden;
+  std::set<size_t>& hidden = f.state.of<StabilityState>().hidden;
   if (number < curve_count(f) && hidden.erase(number) == 0) hidden.insert(number);
 }
 
-void toggle_log(FrameContext& f, const KeyEvent&) { f.state.stability.log_y = !sweep_axes(f).y.logarithmic; }
+void toggle_log(FrameContext& f, const KeyEvent&) { f.state.of<StabilityState>().log_y = !sweep_axes(f).y.logarithmic; }
 
 constexpr PanelKey kKeys[] = {
     {"R", "run or stop", run_or_stop},
     {"S", "next sweep (Shift: previous)", step_sweep},
-    {"↑ ↓", "choose a curve", select_curve, "Up Down", true},
-    {"1-8", "show or hide one (Shift: 9-16)", switch_curve, "1 2 3 4 5 6 7 8"},
+    {"Up Down", "choose a curve", select_curve, true},
+    {"1-8", "show or hide one (Shift: 9-16)", switch_curve},
     {"L", "log y", toggle_log},
-    {"F4", "close", toggle_stability, ""},  // its row in the table of all keys answers
+    {"F4", "close", nullptr},
 };
+
+void ask(FrameContext& f) {
+  StabilityState& s = f.state.of<StabilityState>();
+  f.requests.stability = {s.open, chosen_sweep(f).id, std::exchange(s.run, false), std::exchange(s.stop, false)};
+}
 
 }  // namespace
 
-std::span<const PanelKey> stability_keys() { return kKeys; }
-bool press_in_stability(FrameContext& f, const KeyEvent& e) { return press_in_panel(f, e, kKeys); }
-void toggle_stability(FrameContext& f, const KeyEvent&) { toggle_side(f.state, f.state.stability.open); }
+extern const Panel kStabilityPanel = {
+    .key = "F4",
+    .id = "stability",
+    .help = "stability: one parameter through the place where methods break, a curve each, its statement checked",
+    .place = Place::beside,
+    .box = side_box,
+    .draw = draw_stability,
+    .keys = kKeys,
+    .make = make_panel_state<StabilityState>,
+    .update = ask};
 
-const Sweep& chosen_sweep(const FrameContext& f) { return sweeps()[f.state.stability.sweep]; }
+const Sweep& chosen_sweep(const FrameContext& f) { return sweeps()[f.state.of<StabilityState>().sweep]; }
 
 // Not what is shown still of the sweep before.
 const StabilityInput& stability_input(const FrameContext& f) {

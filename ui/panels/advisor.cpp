@@ -4,11 +4,18 @@
 #include <utility>
 
 #include "renderer/base/size_text.h"
-#include "ui/commands.h"
-#include "ui/side_panel.h"
+#include "ui/panels/side_panel.h"
 
 namespace gbl::ui {
 namespace {
+
+struct AdvisorState : PanelState {
+  double codes = 1;  // of 255
+  bool every_pixel = false;
+  size_t cost = 1;                 // of the costs' table: bytes
+  size_t first = 0, shown = 0;     // of what is left out: the first on screen, and how many in the last frame
+  bool run = false, stop = false;  // asked for in this frame
+};
 
 constexpr double kLeastCodes = 0.125, kMostCodes = 16;
 constexpr double kShareOver = 0.001;
@@ -22,19 +29,21 @@ ErrorBudget budget_of(const AdvisorState& s) { return {s.codes / 255, s.every_pi
 
 // ---- keys ----------------------------------------------------------------------------------------------------------
 void step_codes(FrameContext& f, const KeyEvent& e) {
-  double& codes = f.state.advisor.codes;
+  double& codes = f.state.of<AdvisorState>().codes;
   codes = std::clamp(codes * (e.key == "[" ? 0.5 : 2), kLeastCodes, kMostCodes);
 }
 
-void toggle_pixels(FrameContext& f, const KeyEvent&) { f.state.advisor.every_pixel = !f.state.advisor.every_pixel; }
+void toggle_pixels(FrameContext& f, const KeyEvent&) {
+  f.state.of<AdvisorState>().every_pixel = !f.state.of<AdvisorState>().every_pixel;
+}
 
 void step_cost(FrameContext& f, const KeyEvent& e) {
   const size_t n = std::size(kAdviceCosts);
-  f.state.advisor.cost = (f.state.advisor.cost + (e.shift ? n - 1 : 1)) % n;
+  f.state.of<AdvisorState>().cost = (f.state.of<AdvisorState>().cost + (e.shift ? n - 1 : 1)) % n;
 }
 
 void run_or_stop(FrameContext& f, const KeyEvent&) {
-  AdvisorState& s = f.state.advisor;
+  AdvisorState& s = f.state.of<AdvisorState>();
   s.stop = advisor_input(f).running, s.run = !s.stop;
   if (s.run) s.first = 0;
 }
@@ -53,7 +62,7 @@ void apply_advice(FrameContext& f, const KeyEvent& e) {
 }
 
 void scroll(FrameContext& f, const KeyEvent& e) {
-  AdvisorState& s = f.state.advisor;
+  AdvisorState& s = f.state.of<AdvisorState>();
   const std::optional<Advice>& a = advisor_input(f).advice;
   const size_t by = std::max<size_t>(1, s.shown), n = a ? a->left_out.size() : 0;
   if (e.key == "PgUp")
@@ -64,12 +73,12 @@ void scroll(FrameContext& f, const KeyEvent& e) {
 
 constexpr PanelKey kKeys[] = {
     {"R", "look for it, or stop", run_or_stop},
-    {"[ ]", "budget", step_codes, "[ ]", true},
+    {"[ ]", "budget", step_codes, true},
     {"B", "in how many pixels", toggle_pixels},
     {"X", "cost", step_cost},
-    {"Enter", "apply the best (Shift: the runner-up)", apply_advice, "Enter"},
-    {"PgUp PgDn", "what is left out", scroll, "PgUp PgDn", true},
-    {"F7", "close", toggle_advisor, ""},
+    {"Enter", "apply the best (Shift: the runner-up)", apply_advice},
+    {"PgUp PgDn", "what is left out", scroll, true},
+    {"F7", "close", nullptr},
 };
 
 // ---- words ---------------------------------------------------------------------------------------------------------
@@ -107,7 +116,7 @@ std::string proof_words(const Tried& t) {
 
 // ---- panel ---------------------------------------------------------------------------------------------------------
 void draw_head(FrameContext& f, Painter& p, Box& room) {
-  const AdvisorState& s = f.state.advisor;
+  const AdvisorState& s = f.state.of<AdvisorState>();
   const AdvisorInput& in = advisor_input(f);
   const float body = line_height(f.type.body), gap = std::round(f.type.small * 0.4f);
   Shelf shelf{room, gap};
@@ -169,7 +178,7 @@ void draw_setup(FrameContext& f, Painter& p, const Box& box, const char* title, 
 
 // Whole sentences from the first chosen one on, as many as there is room for.
 void draw_left_out(FrameContext& f, Painter& p, const Box& room, const std::vector<std::string>& all) {
-  AdvisorState& s = f.state.advisor;
+  AdvisorState& s = f.state.of<AdvisorState>();
   s.first = std::min(s.first, all.empty() ? 0 : all.size() - 1);
   const float head = line_height(f.type.body), px = f.type.small;
   float y = room.min.y + head + 2;
@@ -191,9 +200,9 @@ void draw_answer(FrameContext& f, Painter& p, Box room) {
   const AdvisorInput& in = advisor_input(f);
   const float gap = std::round(f.type.small * 0.5f), line = line_height(f.type.small);
   const std::string asked = fmt::format("Answer for {}, by {}:", budget_words(in.budget), cost_words(in.cost));
-  const bool other = in.budget.display_difference != budget_of(f.state.advisor).display_difference ||
-                     in.budget.share_over != budget_of(f.state.advisor).share_over ||
-                     in.cost != kAdviceCosts[f.state.advisor.cost].cost;
+  const bool other = in.budget.display_difference != budget_of(f.state.of<AdvisorState>()).display_difference ||
+                     in.budget.share_over != budget_of(f.state.of<AdvisorState>()).share_over ||
+                     in.cost != kAdviceCosts[f.state.of<AdvisorState>().cost].cost;
   p.text_in({room.min, {room.max.x, room.min.y + line}}, f.type.small, other ? kAccent : kDim, asked);
   room.min.y += line + gap;
   const auto box = [&](float share, const AdvisedSetup& a) {
@@ -208,26 +217,31 @@ void draw_answer(FrameContext& f, Painter& p, Box room) {
   if (!in.advice->left_out.empty()) draw_left_out(f, p, room, in.advice->left_out);
 }
 
-}  // namespace
-
-bool press_in_advisor(FrameContext& f, const KeyEvent& e) { return press_in_panel(f, e, kKeys); }
-void toggle_advisor(FrameContext& f, const KeyEvent&) { toggle_side(f.state, f.state.advisor.open); }
-
-void draw_advisor(FrameContext& f) {
-  AdvisorState& s = f.state.advisor;
-  f.requests.advisor = {s.open, budget_of(s), kAdviceCosts[s.cost].cost, std::exchange(s.run, false),
-                        std::exchange(s.stop, false)};
-  if (!s.open) return;
-  const Box box = side_box(f);
+void draw_advisor(FrameContext& f, Painter& p, const Box& box) {
   Box room = box.inset(std::round(12 * f.layout.unit));
-  begin_overlay("advisor", box, kBackground);
-  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   const float keys = 2.6f * line_height(f.type.small);
   draw_panel_keys(f, p, {{room.min.x, room.max.y - keys}, room.max}, kKeys);
   room.max.y -= keys + f.type.small * 0.4f;
   draw_head(f, p, room);
   if (advisor_input(f).advice) draw_answer(f, p, room);
-  end_overlay();
 }
+
+void ask(FrameContext& f) {
+  AdvisorState& s = f.state.of<AdvisorState>();
+  f.requests.advisor = {s.open, budget_of(s), kAdviceCosts[s.cost].cost, std::exchange(s.run, false),
+                        std::exchange(s.stop, false)};
+}
+
+}  // namespace
+
+extern const Panel kAdvisorPanel = {.key = "F7",
+                                    .id = "advisor",
+                                    .help = "the cheapest set-up that holds an error budget",
+                                    .place = Place::beside,
+                                    .box = side_box,
+                                    .draw = draw_advisor,
+                                    .keys = kKeys,
+                                    .make = make_panel_state<AdvisorState>,
+                                    .update = ask};
 
 }  // namespace gbl::ui

@@ -1,13 +1,23 @@
 #pragma once
 // What the stability panel shows in a frame: a sweep's curves on its axes, and what is stated of them in order.
+#include <set>
+
+#include "ui/panels/side_panel.h"
 #include "ui/plot.h"
-#include "ui/side_panel.h"
 
 namespace gbl::ui {
 
+struct StabilityState : PanelState {
+  size_t sweep = 0;                // of the table
+  size_t curve = 0;                // selected
+  std::optional<bool> log_y;       // empty: as the values ask for
+  std::set<size_t> hidden;         // curves
+  bool run = false, stop = false;  // asked for in this frame
+};
+
 const StabilityInput& stability_input(const FrameContext&);  // an empty one where nothing is ever measured
 const Sweep& chosen_sweep(const FrameContext&);
-std::span<const PanelKey> stability_keys();
+void draw_stability(FrameContext&, Painter&, const Box&);
 
 // The error's axis. Values that are not finite stand at its upper end.
 struct SweepAxes {

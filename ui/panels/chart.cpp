@@ -1,17 +1,16 @@
-// The chart's own keys. Whatever the mouse does in it can be done here.
+// F3: speed against accuracy. Its row and its keys: whatever the mouse does in it can be done here.
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
+#include <utility>
 
-#include "ui/chart_view.h"
-#include "ui/commands.h"
+#include "ui/panels/chart_view.h"
 
 namespace gbl::ui {
 namespace {
 
 constexpr double kZoomStep = 1.5;
 
-ChartState& chart_of(FrameContext& f) { return f.state.chart; }
+ChartState& chart_of(FrameContext& f) { return f.state.of<ChartState>(); }
 
 template <class List, class Is>
 size_t neighbour(const List& list, Is is, bool back) {
@@ -143,7 +142,7 @@ void apply_selected(FrameContext& f, const KeyEvent&) {
 constexpr PanelKey kKeys[] = {
     {"R", "run or stop the study", run_or_stop},
     {"S", "next study", step_study},
-    {"← → ↑ ↓", "choose a point (Shift: of the front)", select_next},
+    {"Left Right Up Down", "choose a point (Shift: of the front)", select_next, true},
     {"Enter", "apply it", apply_selected},
     {"X", "cost", step_x},
     {"Y", "error", step_y},
@@ -152,36 +151,25 @@ constexpr PanelKey kKeys[] = {
     {"F", "front", toggle_front},
     {"G", "families by", step_family},
     {"1-8", "one of them (Shift: 9-16)", switch_family},
-    {"+ -", "zoom", zoom},
+    {"+ -", "zoom", zoom, true},
     {"0", "all", fit_all},
 };
 
-// What the hint line prints and what is pressed.
-bool answers(const PanelKey& row, const KeyEvent& e) {
-  const std::string_view printed = row.key;
-  if (row.run == select_next) return e.key == "Left" || e.key == "Right" || e.key == "Up" || e.key == "Down";
-  if (row.run == switch_family) return e.key.size() == 1 && e.key[0] >= '1' && e.key[0] <= '8';
-  if (row.run == zoom) return e.key == "+" || e.key == "=" || e.key == "-" || e.key == "_";
-  if (e.key.size() != 1) return e.key == printed;
-  return printed.size() == 1 && printed[0] == std::toupper(static_cast<unsigned char>(e.key[0]));
+void ask(FrameContext& f) {
+  ChartState& s = chart_of(f);
+  f.requests.chart = {s.open, s.study, std::exchange(s.run, false), std::exchange(s.stop, false)};
 }
 
 }  // namespace
 
-std::span<const PanelKey> chart_keys() { return kKeys; }
-
-bool press_in_chart(FrameContext& f, const KeyEvent& e) {
-  if (e.ctrl) return false;
-  for (const PanelKey& row : kKeys) {
-    if (!answers(row, e)) continue;
-    KeyEvent pressed = e;
-    if (row.run == zoom) pressed.key = e.key == "-" || e.key == "_" ? '-' : '+';
-    if (!e.repeat || row.run == select_next || row.run == zoom) row.run(f, pressed);
-    return true;
-  }
-  return false;
-}
-
-void toggle_chart(FrameContext& f, const KeyEvent&) { toggle_side(f.state, f.state.chart.open); }
+extern const Panel kChartPanel = {.key = "F3",
+                                  .id = "chart",
+                                  .help = "speed against accuracy: a study's set-ups as points, live",
+                                  .place = Place::beside,
+                                  .box = side_box,
+                                  .draw = draw_chart,
+                                  .keys = kKeys,
+                                  .make = make_panel_state<ChartState>,
+                                  .update = ask};
 
 }  // namespace gbl::ui

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
-#include "ui/chart_view.h"
+#include "ui/panels/chart_view.h"
 
 namespace gbl::ui {
 namespace {

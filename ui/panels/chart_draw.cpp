@@ -1,10 +1,9 @@
-// F3: a study's set-ups as points, their errors up and their costs to the right, and the settings at hand among them.
+// The chart's panel: a study's set-ups as points, their errors up and their costs to the right, and the settings at hand among them.
 #include <algorithm>
 #include <fmt/format.h>
-#include <utility>
 
 #include "renderer/base/size_text.h"
-#include "ui/chart_view.h"
+#include "ui/panels/chart_view.h"
 #include "ui/plot.h"
 
 namespace gbl::ui {
@@ -52,7 +51,7 @@ std::string label_of_study(const ChartInput& in, const std::string& id) {
 
 void draw_head(FrameContext& f, Painter& p, const Places& at) {
   const ChartInput& in = chart_input(f);
-  const ChartState& s = f.state.chart;
+  const ChartState& s = f.state.of<ChartState>();
   const std::string progress = progress_text(in);
   const float right = at.head.max.x - text_size(progress, f.type.body).x;
   const bool other = !in.running.empty() && in.running != s.study;
@@ -85,7 +84,7 @@ void use_legend(FrameContext& f, const ChartView& v, const std::vector<Box>& pla
   for (size_t i = 0; i < places.size(); ++i) {
     ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("family", places[i].size())) toggle_family(f.state.chart, v.families[i].name);
+    if (ImGui::InvisibleButton("family", places[i].size())) toggle_family(f.state.of<ChartState>(), v.families[i].name);
     ImGui::PopID();
   }
 }
@@ -128,16 +127,11 @@ void draw_counts(FrameContext& f, Painter& p, const Box& box, const ChartView& v
 
 }  // namespace
 
-void draw_chart(FrameContext& f) {
-  ChartState& s = f.state.chart;
-  f.requests.chart = {s.open, s.study, std::exchange(s.run, false), std::exchange(s.stop, false)};
-  if (!s.open) return;
-  const Box box = side_box(f), room = box.inset(std::round(12 * f.layout.unit));
-  begin_overlay("chart", box, kBackground);
-  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
+void draw_chart(FrameContext& f, Painter& p, const Box& box) {
+  const Box room = box.inset(std::round(12 * f.layout.unit));
   ChartView v = chart_view(f);
-  const std::vector<LegendRow> legend = legend_rows(s, v);
-  const std::string family = fmt::format("by {}", family_paths()[s.family].label);
+  const std::vector<LegendRow> legend = legend_rows(f.state.of<ChartState>(), v);
+  const std::string family = fmt::format("by {}", family_paths()[f.state.of<ChartState>().family].label);
   const float family_width = key_cap_width("G", f.type.small) + text_size(family, f.type.small).x + f.type.small;
   const Places at = lay_out(room, f.type, family_width, legend, !chart_input(f).note.empty(),
                             f.type.body / f.layout.unit > kLargeType);
@@ -151,8 +145,7 @@ void draw_chart(FrameContext& f) {
   draw_keyed(p, at.family, f.type.small, "G", kText, family);
   use_legend(f, v, draw_series_legend(p, at.legend, legend, f.type.small));
   draw_words(f, p, at.words, v);
-  draw_panel_keys(f, p, at.keys, chart_keys());
-  end_overlay();
+  draw_panel_keys(f, p, at.keys, panel("chart").keys);
 }
 
 }  // namespace gbl::ui

@@ -1,4 +1,4 @@
-#include "ui/chart_view.h"
+#include "ui/panels/chart_view.h"
 
 #include <algorithm>
 
@@ -76,7 +76,7 @@ void toggle_family(ChartState& s, const std::string& family) {
 }
 
 ChartView chart_view(const FrameContext& f) {
-  const ChartState& s = f.state.chart;
+  const ChartState& s = f.state.of<ChartState>();
   const ChartInput& in = chart_input(f);
   ChartView v;
   v.chart = chart_points(in.rows, s.x, s.y, kFamilies[s.family].path);

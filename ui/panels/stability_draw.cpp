@@ -1,9 +1,8 @@
-// F4: one parameter moved through the place where a method breaks: a curve per method, and what is stated of each.
+// The stability panel: one parameter moved through the place where a method breaks: a curve per method, and what is stated of each.
 #include <algorithm>
 #include <fmt/format.h>
-#include <utility>
 
-#include "ui/stability_view.h"
+#include "ui/panels/stability_view.h"
 
 namespace gbl::ui {
 namespace {
@@ -73,7 +72,7 @@ void draw_head(FrameContext& f, Painter& p, const Places& at) {
     p.fill({{at.head.min.x, y}, {at.head.min.x + share * at.head.width(), y + 2}}, kAccent);
   }
   draw_keyed(p, at.sweep, f.type.body, "S", kText,
-             fmt::format("{}/{} “{}”: {}", f.state.stability.sweep + 1, sweeps().size(), s.id, s.label));
+             fmt::format("{}/{} “{}”: {}", f.state.of<StabilityState>().sweep + 1, sweeps().size(), s.id, s.label));
 }
 
 std::vector<LegendRow> legend_rows(const FrameContext& f) {
@@ -83,7 +82,7 @@ std::vector<LegendRow> legend_rows(const FrameContext& f) {
   for (size_t i = 0; i < result->curves.size(); ++i) {
     const std::string key = i < 8 ? std::to_string(i + 1) : i < 16 ? fmt::format("⇧{}", i - 7) : "";
     const CurveResult& c = result->curves[i];
-    rows.push_back({key, c.curve, curve_look(i), curve_on(f.state.stability, i) && c.not_drawn.empty()});
+    rows.push_back({key, c.curve, curve_look(i), curve_on(f.state.of<StabilityState>(), i) && c.not_drawn.empty()});
   }
   return rows;
 }
@@ -91,11 +90,11 @@ std::vector<LegendRow> legend_rows(const FrameContext& f) {
 // A click chooses a curve, as the arrow keys do; the chosen one is framed.
 void use_legend(FrameContext& f, Painter& p, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
-    if (i == f.state.stability.curve)
+    if (i == f.state.of<StabilityState>().curve)
       p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
     ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("curve", places[i].size())) f.state.stability.curve = i;
+    if (ImGui::InvisibleButton("curve", places[i].size())) f.state.of<StabilityState>().curve = i;
     ImGui::PopID();
   }
 }
@@ -127,7 +126,7 @@ void draw_stated(FrameContext& f, Painter& p, const Box& box) {
     left = text_size("✓ stated", px).x + px * 0.8f;
     float sum = 0;  // of the selected curve's: they must fit
     for (const StatedLine& l : lines)
-      if (l.curve == f.state.stability.curve) sum += height(l) + 2;
+      if (l.curve == f.state.of<StabilityState>().curve) sum += height(l) + 2;
     return sum + line_height(px);
   };
   while (measure() > room.height() && px > kSmallestPx) px -= 1;
@@ -135,7 +134,7 @@ void draw_stated(FrameContext& f, Painter& p, const Box& box) {
   size_t drawn = 0;
   for (; drawn < lines.size(); ++drawn) {
     const StatedLine& l = lines[drawn];
-    const bool selected = l.curve == f.state.stability.curve, last = drawn + 1 == lines.size();
+    const bool selected = l.curve == f.state.of<StabilityState>().curve, last = drawn + 1 == lines.size();
     if (y + height(l) + (last ? 0 : line_height(px)) > room.max.y && !selected) break;
     const auto [word, colour] = mark_of(l.mark);
     p.text({room.min.x, y}, px, colour, word);
@@ -152,14 +151,9 @@ void draw_stated(FrameContext& f, Painter& p, const Box& box) {
 
 }  // namespace
 
-void draw_stability(FrameContext& f) {
-  StabilityState& s = f.state.stability;
+void draw_stability(FrameContext& f, Painter& p, const Box& box) {
+  const Box room = box.inset(std::round(12 * f.layout.unit));
   const Sweep& sweep = chosen_sweep(f);
-  f.requests.stability = {s.open, sweep.id, std::exchange(s.run, false), std::exchange(s.stop, false)};
-  if (!s.open) return;
-  const Box box = side_box(f), room = box.inset(std::round(12 * f.layout.unit));
-  begin_overlay("stability", box, kBackground);
-  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   const std::vector<LegendRow> legend = legend_rows(f);
   const std::string& note = stability_input(f).note;
   const Places at = lay_out(room, f.type, legend, sweep.help, !note.empty());
@@ -180,8 +174,7 @@ void draw_stability(FrameContext& f) {
   }
   draw_stated(f, p, at.stated);
   if (!note.empty()) p.text_in(at.note, f.type.small, kAccent, note);
-  draw_panel_keys(f, p, at.keys, stability_keys());
-  end_overlay();
+  draw_panel_keys(f, p, at.keys, panel("stability").keys);
 }
 
 }  // namespace gbl::ui

@@ -1,17 +1,21 @@
 // O: every option, a page at a time, each with the key or the letter that reaches it. Choices cycle; numbers and
 // texts are typed, Enter applies.
+#include "ui/panels/options.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <fmt/format.h>
 
-#include "ui/commands.h"
-#include "ui/state.h"
+#include "ui/key_spec.h"
 
 namespace gbl::ui {
 namespace {
 
 constexpr size_t kPageRows = 22;
+
+struct OptionsState : PanelState {
+  int page = 0;
+};
 
 struct Page {
   std::string title;
@@ -52,10 +56,7 @@ void draw_field(FrameContext& f, const Option& o, const Box& box, float px) {
   char buffer[256] = {};
   std::memcpy(buffer, text.data(), std::min(text.size(), sizeof buffer - 1));
   px = f.painter.fit(text, {box.width() - px, box.height()}, px, false);
-  const bool mine = f.state.edited == &o;
-  const bool entered = draw_text_field(f, o.path, box, px, buffer, sizeof buffer, mine && f.state.focus_edited);
-  if (mine && ImGui::IsItemActive()) f.state.focus_edited = false;
-  if (mine && (entered || ImGui::IsItemDeactivated())) f.state.edited = nullptr;
+  const bool entered = draw_text_field(f, o.path, box, px, buffer, sizeof buffer);
   if (entered) apply_text(f, o, buffer);
 }
 
@@ -86,12 +87,59 @@ void draw_hints(FrameContext& f, Painter& p, const Box& room) {
   if (!unsound.empty()) unsound = fmt::format("{} unsound: {}", kUnsoundSign, unsound);
   const std::string hint =
       fmt::format("A letter cycles (Shift: backwards) or opens the field; Enter applies. O: page {} of {}. Esc closes.",
-                  *f.state.options_page + 1, option_pages());
+                  f.state.of<OptionsState>().page + 1, option_pages());
   draw_paragraphs(
       p, room,
       {{unsound.empty() ? "All choices are sound." : unsound, unsound.empty() ? kDim : kUnsound, f.type.small},
        {hint, kDim, f.type.small}},
       4);
+}
+
+const Page& page_now(const FrameContext& f) { return pages()[static_cast<size_t>(f.state.of<OptionsState>().page)]; }
+
+// O again is the next page, and after the last one closes.
+void turn_page(FrameContext& f, const KeyEvent& e) {
+  OptionsState& s = f.state.of<OptionsState>();
+  const int next = s.open ? s.page + (e.shift ? -1 : 1) : 0;
+  s.open = next >= 0 && next < option_pages();
+  s.page = s.open ? next : 0;
+}
+
+// The letters of the page on screen.
+bool press_letter(FrameContext& f, const KeyEvent& e) {
+  const std::vector<const Option*>& page = page_now(f).options;
+  for (const Option* o : page) {
+    if (*o->key || !which_key(key_spec(option_letter(page, *o)), e)) continue;
+    if (e.repeat) return true;
+    if (o->kind == Kind::choice)
+      step_option(f, *o, e.shift ? -1 : 1);
+    else
+      f.state.type_into(o->path);
+    return true;
+  }
+  return false;
+}
+
+Box options_box(const FrameContext& f) {
+  const Box& canvas = f.layout.canvas;
+  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;  // large type needs the place of four pictures
+  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
+}
+
+void draw_options(FrameContext& f, Painter& p, const Box& box) {
+  const Page& page = page_now(f);
+  const Box room = box.inset(std::round(12 * f.layout.unit));
+  const float head = line_height(f.type.large), hints = 5 * line_height(f.type.small);
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, page.title);
+  const float row = std::min(f.type.body * 2, (room.height() - head - hints) / static_cast<float>(page.options.size()));
+  const float px = std::max(kSmallestPx, std::floor(std::min(f.type.body, row * 0.62f)));
+  const Rows z{px, row, 2 * key_cap_width("[ ]", px) - px, room.width() * 0.36f};
+  float y = room.min.y + head;
+  for (const Option* o : page.options) {
+    draw_row(f, p, {{room.min.x, std::round(y)}, {room.max.x, std::round(y + row) - 3}}, page.options, *o, z);
+    y += row;
+  }
+  draw_hints(f, p, {{room.min.x, room.max.y - hints}, room.max});
 }
 
 }  // namespace
@@ -112,46 +160,14 @@ std::string option_letter(const std::vector<const Option*>& page, const Option& 
   return "";
 }
 
-bool press_in_options(FrameContext& f, const KeyEvent& e) {
-  if (e.ctrl || e.key.size() != 1 || e.repeat) return false;
-  const std::vector<const Option*> page = options_on_page(*f.state.options_page);
-  for (const Option* o : page) {
-    if (*o->key || option_letter(page, *o)[0] != std::toupper(static_cast<unsigned char>(e.key[0]))) continue;
-    if (o->kind == Kind::choice) {
-      step_option(f, *o, e.shift ? -1 : 1);
-    } else {
-      f.state.edited = o;
-      f.state.focus_edited = true;
-    }
-    return true;
-  }
-  return false;
-}
-
-Box options_box(const FrameContext& f) {
-  const Box& canvas = f.layout.canvas;
-  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;  // large type needs the place of four pictures
-  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
-}
-
-void draw_options_panel(FrameContext& f) {
-  if (!f.state.options_page) return;
-  const Page& page = pages()[static_cast<size_t>(*f.state.options_page)];
-  const Box box = options_box(f), room = box.inset(std::round(12 * f.layout.unit));
-  begin_overlay("options", box, kBackground);
-  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
-  const float head = line_height(f.type.large), hints = 5 * line_height(f.type.small);
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, page.title);
-  const float row = std::min(f.type.body * 2, (room.height() - head - hints) / static_cast<float>(page.options.size()));
-  const float px = std::max(kSmallestPx, std::floor(std::min(f.type.body, row * 0.62f)));
-  const Rows z{px, row, 2 * key_cap_width("[ ]", px) - px, room.width() * 0.36f};
-  float y = room.min.y + head;
-  for (const Option* o : page.options) {
-    draw_row(f, p, {{room.min.x, std::round(y)}, {room.max.x, std::round(y + row) - 3}}, page.options, *o, z);
-    y += row;
-  }
-  draw_hints(f, p, {{room.min.x, room.max.y - hints}, room.max});
-  end_overlay();
-}
+extern const Panel kOptionsPanel = {.key = "O",
+                                    .id = "options",
+                                    .help = "all options: then the letter on the screen; O again: the next page",
+                                    .place = Place::edge,
+                                    .box = options_box,
+                                    .draw = draw_options,
+                                    .make = make_panel_state<OptionsState>,
+                                    .press = turn_page,
+                                    .press_other = press_letter};
 
 }  // namespace gbl::ui

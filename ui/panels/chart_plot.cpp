@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/chart_view.h"
+#include "ui/panels/chart_view.h"
 
 namespace gbl::ui {
 namespace {
@@ -136,8 +136,8 @@ void wheel(FrameContext& f, const Plot& plot, const ChartView& v) {
   const auto one = [&](const PlotAxis& axis, const ChartAxis& whole, float mouse) {
     return zoomed(axis.span(), axis.along(axis.value(mouse)), factor, PlotAxis{whole}.span());
   };
-  f.state.chart.zoom_x = one(plot.x(), v.whole_x, io.MousePos.x);
-  f.state.chart.zoom_y = one(plot.y(), v.whole_y, io.MousePos.y);
+  f.state.of<ChartState>().zoom_x = one(plot.x(), v.whole_x, io.MousePos.x);
+  f.state.of<ChartState>().zoom_y = one(plot.y(), v.whole_y, io.MousePos.y);
 }
 
 void pan(FrameContext& f, const Plot& plot, const ChartView& v) {
@@ -147,8 +147,8 @@ void pan(FrameContext& f, const Plot& plot, const ChartView& v) {
     const Span s = axis.span();
     return moved(s, -double(pixels) / double(axis.to - axis.from) * s.width(), PlotAxis{whole}.span());
   };
-  f.state.chart.zoom_x = one(plot.x(), v.whole_x, by.x);
-  f.state.chart.zoom_y = one(plot.y(), v.whole_y, by.y);
+  f.state.of<ChartState>().zoom_x = one(plot.x(), v.whole_x, by.x);
+  f.state.of<ChartState>().zoom_y = one(plot.y(), v.whole_y, by.y);
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ void draw_chart_points(FrameContext& f, Painter& p, Plot& plot, const ChartView&
   const float radius = mark_radius(f.type);
   plot.draw_axes();
   if (v.shown.empty() && !v.current) return draw_empty(f, p, plot.frame());
-  if (f.state.chart.front) draw_front(plot, v);
+  if (f.state.of<ChartState>().front) draw_front(plot, v);
   draw_points(plot, v, radius);
   Labels labels(p, plot.frame(), f.type.small);
   std::vector<size_t> presets;
@@ -182,7 +182,7 @@ void use_chart_mouse(FrameContext& f, const Plot& plot, const ChartView& v) {
   const std::optional<size_t> at = nearest(plot, v, io.MousePos, 2 * mark_radius(f.type) + 4);
   const bool moved_mouse =
       io.MouseDelta.x != 0 || io.MouseDelta.y != 0;  // at rest it leaves the arrow keys' choice alone
-  if (at && (moved_mouse || clicked)) f.state.chart.selected = chart_input(f).rows[v.point(*at).row].key;
+  if (at && (moved_mouse || clicked)) f.state.of<ChartState>().selected = chart_input(f).rows[v.point(*at).row].key;
   if (at && clicked && !dragged) apply_row(f, v.point(*at).row);
 }
 

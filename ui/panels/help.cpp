@@ -2,26 +2,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "ui/key_spec.h"
+#include "ui/keys.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
 namespace {
-
-// Key names as caps: "Left Right" -> ← →.
-std::vector<std::string> caps_of(std::string_view key) {
-  constexpr std::pair<std::string_view, std::string_view> kArrows[] = {
-      {"Left", "←"}, {"Right", "→"}, {"Up", "↑"}, {"Down", "↓"}};
-  std::vector<std::string> caps;
-  while (!key.empty()) {
-    const size_t space = std::min(key.find(' '), key.size());
-    std::string_view cap = key.substr(0, space);
-    for (const auto& [name, arrow] : kArrows)
-      if (cap == name) cap = arrow;
-    caps.emplace_back(cap);
-    key.remove_prefix(std::min(space + 1, key.size()));
-  }
-  return caps;
-}
 
 float caps_width(const std::vector<std::string>& caps, float px) {
   float width = 0;
@@ -38,7 +24,7 @@ constexpr int kColumns = 3;
 
 Columns columns_at(float px, const std::vector<KeyRow>& rows, float width) {
   Columns c{px, 0, 0, std::round(px * 0.5f)};
-  for (const KeyRow& r : rows) c.keys = std::max(c.keys, caps_width(caps_of(r.key), px));
+  for (const KeyRow& r : rows) c.keys = std::max(c.keys, caps_width(key_caps(r.key), px));
   c.text = width / kColumns - c.keys - 2.5f * px;
   return c;
 }
@@ -58,14 +44,10 @@ std::vector<size_t> split(const std::vector<KeyRow>& rows, const Columns& c, flo
   return ends.size() <= kColumns ? ends : std::vector<size_t>{};
 }
 
-}  // namespace
+Box help_box(const FrameContext& f) { return {f.layout.canvas.min, {f.layout.canvas.max.x, f.layout.status.min.y}}; }
 
-void draw_help(FrameContext& f) {
-  if (!f.state.help) return;
-  const Box box{f.layout.canvas.min, {f.layout.canvas.max.x, f.layout.status.min.y}};
+void draw_help(FrameContext& f, Painter& p, const Box& box) {
   const Box room = box.inset(std::round(24 * f.layout.unit));
-  begin_overlay("help", box, kBackground);
-  Painter p(*ImGui::GetWindowDrawList(), f.state.cut_texts);
   const float head = line_height(f.type.large) * 1.4f;
   p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent,
             "Keys   (F1 or Esc closes; Shift with a letter goes backwards)");
@@ -82,12 +64,16 @@ void draw_help(FrameContext& f) {
     ImVec2 at{room.min.x + static_cast<float>(column) * room.width() / kColumns, room.min.y + head};
     for (; i < ends[column]; ++i) {
       float x = at.x;
-      for (const std::string& cap : caps_of(rows[i].key)) x += p.key_cap({x, at.y}, c.px, cap) + 3;
+      for (const std::string& cap : key_caps(rows[i].key)) x += p.key_cap({x, at.y}, c.px, cap) + 3;
       p.text({at.x + c.keys + c.px, at.y + above_text(c.px)}, c.px, kText, rows[i].help, c.text);
       at.y += c.height(rows[i]);
     }
   }
-  end_overlay();
 }
+
+}  // namespace
+
+extern const Panel kHelpPanel = {
+    .key = "F1", .id = "help", .help = "these keys", .place = Place::whole, .box = help_box, .draw = draw_help};
 
 }  // namespace gbl::ui
