@@ -79,7 +79,7 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
     probe_asked_.reset();
     if (!moving) lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
     waiting_ = !moving;
-    if (std::exchange(draw_failed_, false)) message_.clear();  // what was wrong has been mended
+    if (std::exchange(draw_failed_, false)) message_.clear();  // what was wrong has been fixed
   } catch (const Error& e) {
     message_ = e.what();
     draw_failed_ = true;

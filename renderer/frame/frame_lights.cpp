@@ -46,7 +46,7 @@ void require_finite(const std::vector<Light>& lights) {
     for (int k = 0; k < 3; ++k) sum += l.position[k] + l.colour[k] + l.direction[k] + l.coefficients[k];
     if (!std::isfinite(sum))
       throw Error(ExitCode::bad_input, "lights", fmt::format("light {} holds a number that is not finite", i),
-                  "mend its position, colour, range, direction or falloff in the scene or rig");
+                  "fix its position, colour, range, direction or falloff in the scene or rig");
   }
 }
 

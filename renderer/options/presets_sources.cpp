@@ -7,7 +7,7 @@ Camera camera_at(glm::dvec3 position, double yaw, double pitch, double fov, doub
   return {position, orientation_from_yaw_pitch(yaw, pitch), fov, 0, near, far};
 }
 
-// What the mended twins have in common: the background is skipped, light is summed in half floats and shown by the
+// What the fixed twins have in common: the background is skipped, light is summed in half floats and shown by the
 // sRGB curve, and nothing is switched on by id.
 void mend_common(Settings& s) {
   s.background.skip = BackgroundSkip::depth;

@@ -177,9 +177,9 @@ Json parse_json(std::string_view text, std::string_view where) {
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const size_t column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 = 0
     throw Error(ExitCode::bad_input, fmt::format("{}:{}:{}", where, line, column), "not valid JSON",
-                "mend the file near this place");
+                "fix the file near this place");
   } catch (const nlohmann::json::out_of_range&) {
-    throw Error(ExitCode::bad_input, where, "a number is beyond the range of double", "mend the number");
+    throw Error(ExitCode::bad_input, where, "a number is beyond the range of double", "fix the number");
   }
 }
 

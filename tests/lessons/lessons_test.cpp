@@ -25,12 +25,12 @@ TEST(Lessons, TheThreeOfTheLabAreThere) {
   EXPECT_EQ(load_lesson("learnopengl-in-three-stages").steps.size(), 5u);
 }
 
-// The last step is the preset with the mistakes mended, but for what is looked at.
+// The last step is the preset with the mistakes fixed, but for what is looked at.
 TEST(Lessons, LearnOpenGLEndsWhereItsMendedPresetStands) {
   Settings last = settings_at(load_lesson("learnopengl-in-three-stages"), 4);
-  const Settings mended = preset("learnopengl-fixed").make();
-  last.view = mended.view;
-  EXPECT_EQ(last, mended);
+  const Settings fixed = preset("learnopengl-fixed").make();
+  last.view = fixed.view;
+  EXPECT_EQ(last, fixed);
 }
 
 TEST(Lessons, EveryPatchChangesSomethingAndEveryViewCanBeShown) {

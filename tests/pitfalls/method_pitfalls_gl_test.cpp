@@ -1,4 +1,4 @@
-// Every unsound row of the method's axes fails in the way it names, and its mend does not.
+// Every unsound row of the method's axes fails in the way it names, and its fix does not.
 #include <functional>
 #include <set>
 
@@ -145,17 +145,17 @@ TEST_F(MethodPitfalls, LessEqualLosesTheLightThatTheCameraIsInsideOf) {
     EXPECT_TRUE(outside.right()) << outside;
     s = start_with(LightCull::front);
     s.lights.method = method;
-    s.lights.volume.depth = VolumeDepth::greater_equal;  // the mend
-    const Score mended = score(s, terrain());
-    EXPECT_TRUE(mended.right()) << mended;
+    s.lights.volume.depth = VolumeDepth::greater_equal;  // the fix
+    const Score fixed = score(s, terrain());
+    EXPECT_TRUE(fixed.right()) << fixed;
   }
 }
 
 TEST_F(MethodPitfalls, NoCullingDoublesFromOutsideAndOnlyThere) {
   const Score outside = score(from_outside(LightCull::none), terrain());
   EXPECT_TRUE(outside.all_doubled()) << outside;
-  const Score mended = score(from_outside(LightCull::front), terrain());
-  EXPECT_TRUE(mended.right()) << mended;
+  const Score fixed = score(from_outside(LightCull::front), terrain());
+  EXPECT_TRUE(fixed.right()) << fixed;
   const Score inside = score(start_with(LightCull::none), terrain());
   EXPECT_TRUE(inside.right()) << inside;
 }
@@ -221,16 +221,16 @@ TEST_F(MethodPitfalls, FlatCircleUndercoversTheNearRim) {
   s.camera.fov = 15;
   const Score far = score(s, yard());
   EXPECT_LT(far.lost * near.lit, near.lost * far.lit / 4) << "from afar it is nearly enough: " << far;
-  for (const LightMethod mended : {LightMethod::volumes, LightMethod::quads})
-    EXPECT_TRUE(score(before_the_light(mended), yard()).right()) << score(before_the_light(mended), yard());
+  for (const LightMethod fixed : {LightMethod::volumes, LightMethod::quads})
+    EXPECT_TRUE(score(before_the_light(fixed), yard()).right()) << score(before_the_light(fixed), yard());
 }
 
 // `circle-behind-camera`: x / w of what is behind the camera lands on the other side of the picture.
 TEST_F(MethodPitfalls, AFlatCircleBehindTheCameraIsMirrored) {
   const Score mirrored = score(beside_the_light(LightMethod::disc), yard());
   EXPECT_GT(mirrored.lost, mirrored.lit / 4) << mirrored;
-  for (const LightMethod mended : {LightMethod::volumes, LightMethod::quads})
-    EXPECT_TRUE(score(beside_the_light(mended), yard()).right()) << score(beside_the_light(mended), yard());
+  for (const LightMethod fixed : {LightMethod::volumes, LightMethod::quads})
+    EXPECT_TRUE(score(beside_the_light(fixed), yard()).right()) << score(beside_the_light(fixed), yard());
 }
 
 // One proof per unsound row of the axes that choose pairs: a new unsound row fails here until it has one.

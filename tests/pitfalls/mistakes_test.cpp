@@ -31,7 +31,7 @@ TEST(Mistakes, AreSetByIdAndUnknownOnesAreRefused) {
   EXPECT_THROW(o.set(s, OptionList{3}, o), std::runtime_error);
 }
 
-// Each is there because a source contains it, and no mended twin does.
+// Each is there because a source contains it, and no fixed twin does.
 TEST(Mistakes, EachStandsInASourcesPresetAndInNoMendedOne) {
   std::set<Mistake> used;
   for (const Preset& p : presets()) {

@@ -1,5 +1,5 @@
 // Every unsound row of the axes that store and rebuild surfaces, and every mistake by id, fails in the way it names; the
-// mended settings do not.
+// fixed settings do not.
 #include <functional>
 
 #include "renderer/options/options.h"
