@@ -6,7 +6,7 @@ namespace gbl {
 
 AdviceJob::AdviceJob(const Settings& truth, std::shared_ptr<const Scene> scene, const ErrorBudget& budget,
                      AdviceCost cost, const DeviceLimits& limits)
-    : thread_([=, this] { run(truth, *scene, budget, cost, limits); }) {}
+    : thread_([=, this, scene = std::move(scene)] { run(truth, *scene, budget, cost, limits); }) {}
 
 AdviceJob::~AdviceJob() {
   {

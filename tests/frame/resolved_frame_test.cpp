@@ -93,7 +93,8 @@ TEST(LightsInView, ASampleStandsForManyLights) {
     const std::vector<Light> lights = lights_of(s, Scene{});
     LightsInView exact;
     for (size_t from = 0; from < lights.size(); from += 500) {  // small enough to be looked at one by one
-      const std::vector<Light> some(lights.begin() + long(from), lights.begin() + long(std::min(lights.size(), from + 500)));
+      const std::vector<Light> some(lights.begin() + long(from),
+                                    lights.begin() + long(std::min(lights.size(), from + 500)));
       const LightsInView part = lights_in_view(s, some);
       exact.reached += part.reached, exact.under_volumes += part.under_volumes, exact.under_quads += part.under_quads;
     }
