@@ -38,7 +38,8 @@ int draw_shaded_objects(const Frame& frame, const std::vector<ObjectDraw>& draws
   defines.push_back({"OUTPUT", static_cast<int>(draw.output)});
   const glm::ivec2 span = glm::min(draw.lights, glm::ivec2(frame.light_count()));
   return draw_objects(frame, draws, "forward.frag", defines, [&](const gl::Program& program) {
-    glUniform2i(program.uniform("light_span"), span.x, span.y);
+    // An unlit surface reads neither.
+    glUniform2i(program.find_uniform("light_span"), span.x, span.y);
     glUniform1f(program.find_uniform("ambient_share"), draw.ambient ? 1 : 0);
   });
 }
