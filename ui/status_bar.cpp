@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/gbuffer/layouts.h"
+#include "renderer/picture/srgb.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -13,8 +14,7 @@ namespace {
 int shown_code(float lit, const Settings& s) {
   const double x = std::clamp(lit * s.exposure, 0.0, 1.0);
   if (s.colour == Colour::as_tutorial) return static_cast<int>(std::lround(255 * x));
-  const double coded = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;  // IEC 61966-2-1
-  return static_cast<int>(std::lround(255 * coded));
+  return static_cast<int>(std::lround(255 * srgb_from_linear(x)));
 }
 
 std::string facing(const glm::vec3& n) {

@@ -70,7 +70,7 @@ std::shared_ptr<const ResolvedFrame> Resolver::get(const Settings& s, const std:
   const Settings asked = without_view(s);
   const long long stamp = s.lights.source == LightSource::rig ? rig_stamp(s.lights.rig) : 0;
   const auto same = [&](const Entry& e) {
-    return e.scene == scene && e.features == features && e.rig_stamp == stamp && e.settings == asked;
+    return e.scene.lock() == scene && e.features == features && e.rig_stamp == stamp && e.settings == asked;
   };
   const auto found = std::find_if(entries_.begin(), entries_.end(), same);
   if (found != entries_.end()) {

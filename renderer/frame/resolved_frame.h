@@ -1,6 +1,6 @@
 #pragma once
 // ResolvedFrame: what settings mean for a scene on a device, worked out once. Nothing is left to choose. The passes, the
-// report, captions and predictions read it; nobody asks the settings a second time.
+// report and the predictions read it and do not ask the settings again.
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,13 +44,14 @@ ResolvedFrame resolve_frame(const Settings&, const Scene&, FeatureSet);
 // The frames resolved last: one is worked out anew only when its settings, its scene or its rig's file have changed.
 class Resolver {
  public:
+  // The scene is not kept alive.
   std::shared_ptr<const ResolvedFrame> get(const Settings&, const std::shared_ptr<const Scene>&, FeatureSet);
   int resolved() const { return resolved_; }  // how many were worked out
 
  private:
   struct Entry {
     Settings settings;  // as asked for
-    std::shared_ptr<const Scene> scene;
+    std::weak_ptr<const Scene> scene;
     FeatureSet features;
     long long rig_stamp = 0;
     std::shared_ptr<const ResolvedFrame> frame;

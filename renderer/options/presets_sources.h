@@ -1,5 +1,5 @@
 #pragma once
-// The five sources' set-ups, as they are printed and with their mistakes mended and nothing else changed.
+// The five sources' set-ups, as they are printed and with their mistakes fixed and nothing else changed.
 #include "renderer/options/settings.h"
 
 namespace gbl {

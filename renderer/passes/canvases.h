@@ -18,23 +18,24 @@ class Canvases {
 
   Canvas& view(View);                    // RGBA8
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
-  Canvas& composed(
-      const FrameTextures&);  // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
+  // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
+  Canvas& composed(const FrameTextures&);
   // What `final` shows: composed() if anything was drawn over `lit`.
   const gl::Texture& shown(const FrameTextures&) const;
-  Canvas& counts(const FrameTextures&);  // RGBA32F: pairs tested, shaded, in range; with the lighting's depth
-  const gl::Framebuffer& counts_with_depth(
-      const FrameTextures&);  // … with a depth of its own: forward shading draws anew
+  // RGBA32F: pairs tested, shaded, in range; with the lighting's depth, or with one of its own where forward shading
+  // draws anew
+  Canvas& counts(const FrameTextures&);
+  const gl::Framebuffer& counts_with_depth(const FrameTextures&);
   Canvas& counts_lit();
   Canvas& unblurred();                // RGBA32F: `lit` before its edges are blurred
   Canvas& ids(const FrameTextures&);  // R32UI with the frame's depth: number of the object, from 1
   Canvas& count_sums();               // the reduction
   Canvas& probe();
+  Canvas& errors();  // RGBA32F: signed error, -, -, 1 where a surface is
   // Those that are made already:
   const Canvas& counts() const { return *counts_; }
   const Canvas& ids() const { return *ids_; }
   const Canvas& errors() const { return *errors_; }
-  Canvas& errors();  // RGBA32F: signed error, -, -, 1 where a surface is
 
   // Of the frame drawn last:
   bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false;

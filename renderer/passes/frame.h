@@ -76,7 +76,7 @@ class Renderer {
   void draw_seen(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
   // normal and position as the lighting decodes them
   void draw_decoded(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
-  // how far the frame is from the truth, into targets.errors(), and begins to read it back
+  // how far the frame is from the truth, into targets.canvases.errors(), and begins to read it back
   void draw_errors(const Settings&, const GpuScene&, Targets&, const TruthTextures&);
 
   // What has arrived since: times and pair counts into the report. `wait` blocks until all of it has.

@@ -6,6 +6,7 @@
 
 #include "renderer/base/random.h"
 #include "renderer/passes/frame_block.h"
+#include "renderer/picture/srgb.h"
 
 namespace gbl {
 namespace {
@@ -50,8 +51,7 @@ void append_record(const Frame& frame, int instance, std::vector<glm::vec4>& out
 glm::vec3 colour_factor(const glm::vec3& linear, Colour colour) {
   if (colour == Colour::srgb) return linear;
   glm::vec3 coded;
-  for (int k = 0; k < 3; ++k)
-    coded[k] = linear[k] <= 0.0031308f ? 12.92f * linear[k] : 1.055f * std::pow(linear[k], 1 / 2.4f) - 0.055f;
+  for (int k = 0; k < 3; ++k) coded[k] = srgb_from_linear(linear[k]);
   return coded;
 }
 

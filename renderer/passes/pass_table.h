@@ -21,8 +21,7 @@ constexpr StoresSet operator|(StoresSet a, const StoresSet& b) {
 }
 
 struct PassRow {
-  const char* id;
-  const char* timer;                     // its name in reports: two ways to combine share one
+  const char* timer;                     // its name in reports; two ways to combine share one
   bool (*needed)(const ResolvedFrame&);  // by this frame
   StoresSet reads, writes;               // at most
   int (*draw)(Frame&);                   // -> draw calls
@@ -39,13 +38,13 @@ inline bool transparent(const ResolvedFrame& f) { return f.transparent_pass; }
 
 // clang-format off
 inline constexpr PassRow kPasses[] = {
-  {"forward",              "forward",     pass::forward,       {},                                         {Stores::depth, Stores::lit},                     draw_forward_frame},
-  {"geometry",             "geometry",    pass::gbuffer,       {},                                         kMaterials | StoresSet{Stores::depth, Stores::light}, draw_geometry},
-  {"lighting",             "lighting",    pass::gbuffer,       kMaterials | StoresSet{Stores::depth},      kLightSums | StoresSet{Stores::light_depth},      draw_light_sums},
-  {"combine",              "combine",     pass::deferred,      kMaterials | kLightSums | StoresSet{Stores::depth}, {Stores::lit},                            draw_combine},
-  {"materials-over-light", "combine",     pass::light_prepass, kLightSums | StoresSet{Stores::depth},      {Stores::lit},                                    draw_materials_over_light},
-  {"antialias",            "antialias",   pass::edge_blur,     kMaterials | StoresSet{Stores::depth, Stores::lit}, {Stores::lit},                            draw_edge_blur},
-  {"transparent",          "transparent", pass::transparent,   {Stores::depth, Stores::lit},               {},                                               draw_transparent},
+  {"forward",     pass::forward,       {},                                         {Stores::depth, Stores::lit},                     draw_forward_frame},
+  {"geometry",    pass::gbuffer,       {},                                         kMaterials | StoresSet{Stores::depth, Stores::light}, draw_geometry},
+  {"lighting",    pass::gbuffer,       kMaterials | StoresSet{Stores::depth},      kLightSums | StoresSet{Stores::light_depth},      draw_light_sums},
+  {"combine",     pass::deferred,      kMaterials | kLightSums | StoresSet{Stores::depth}, {Stores::lit},                            draw_combine},
+  {"combine",     pass::light_prepass, kLightSums | StoresSet{Stores::depth},      {Stores::lit},                                    draw_materials_over_light},
+  {"antialias",   pass::edge_blur,     kMaterials | StoresSet{Stores::depth, Stores::lit}, {Stores::lit},                            draw_edge_blur},
+  {"transparent", pass::transparent,   {Stores::depth, Stores::lit},               {},                                               draw_transparent},
 };
 // clang-format on
 

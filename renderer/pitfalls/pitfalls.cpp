@@ -20,6 +20,5 @@ constexpr const char* kIds[] = {
 }  // namespace
 
 const char* id_of(Pitfall p) { return kIds[static_cast<size_t>(p)]; }
-std::span<const char* const> pitfall_ids() { return std::span(kIds).subspan(1); }
 
 }  // namespace gbl

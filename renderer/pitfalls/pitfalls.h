@@ -1,7 +1,5 @@
 #pragma once
 // The failures that the lab shows: each unsound value of an axis and each mistake names one of them.
-#include <span>
-
 namespace gbl {
 
 enum class Pitfall {
@@ -14,7 +12,6 @@ enum class Pitfall {
 #undef PITFALL
 };
 
-const char* id_of(Pitfall);                  // "" of none
-std::span<const char* const> pitfall_ids();  // of all
+const char* id_of(Pitfall);  // "" of none
 
 }  // namespace gbl

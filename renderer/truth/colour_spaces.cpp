@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "renderer/picture/srgb.h"
+
 namespace gbl {
 namespace {
 
@@ -19,9 +21,6 @@ glm::dmat3 derived_xyz_from_linear_srgb() {
   return m;
 }
 
-double coded(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055; }
-double decoded(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
-
 // A cube root with a straight piece below (6/29)^3, where the root would be too steep.
 double lightness_curve(double x) {
   constexpr double kDelta = 6.0 / 29;
@@ -30,8 +29,12 @@ double lightness_curve(double x) {
 
 }  // namespace
 
-glm::dvec3 srgb_from_linear(const glm::dvec3& linear) { return {coded(linear.x), coded(linear.y), coded(linear.z)}; }
-glm::dvec3 linear_from_srgb(const glm::dvec3& srgb) { return {decoded(srgb.x), decoded(srgb.y), decoded(srgb.z)}; }
+glm::dvec3 srgb_from_linear(const glm::dvec3& linear) {
+  return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
+}
+glm::dvec3 linear_from_srgb(const glm::dvec3& srgb) {
+  return {linear_from_srgb(srgb.x), linear_from_srgb(srgb.y), linear_from_srgb(srgb.z)};
+}
 
 const glm::dmat3& xyz_from_linear_srgb() {
   static const glm::dmat3 kMatrix = derived_xyz_from_linear_srgb();

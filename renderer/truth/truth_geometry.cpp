@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/picture/srgb.h"
+
 namespace gbl {
 namespace {
 
-// The sRGB code of a linear factor (IEC 61966-2-1), for colour=as-tutorial, where codes are used as if linear.
-double srgb_code(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
+// colour=as-tutorial: codes are used as if linear.
 glm::dvec3 colour_factor(const glm::dvec3& linear, Colour colour) {
   if (colour == Colour::srgb) return linear;
-  return {srgb_code(linear.x), srgb_code(linear.y), srgb_code(linear.z)};
+  return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
 }
 
 glm::dvec3 unit_or_zero(const glm::dvec3& v) {

@@ -234,5 +234,15 @@ TEST_F(Frames, WiresAreThoseOfThePickedLightOrOfAll) {
   EXPECT_LT(2 * differing_texels(fifth, off), differing_texels(all, off));
 }
 
+TEST_F(Frames, AFrameAndAllThatIsAskedOfItAreResolvedOnce) {
+  Stage stage(yard());
+  const Settings s = settings_for(yard());
+  stage.pairs(s);
+  for (const View v : {View::final, View::normal, View::lights_per_pixel}) stage.view(v, s, {.overlays = true});
+  stage.renderer.start_probe(s, yard(), stage.targets, {3, 3});
+  stage.renderer.take_probe(stage.targets, true);
+  EXPECT_EQ(stage.renderer.resolver().resolved(), 1);
+}
+
 }  // namespace
 }  // namespace gbl::test
