@@ -1,9 +1,9 @@
 #include "app/docs_pages.h"
 
 #include <fmt/format.h>
-#include <fstream>
 
 #include "app/commands.h"
+#include "renderer/picture/image.h"
 
 namespace gbl {
 namespace {
@@ -12,10 +12,9 @@ const DocsPage kPages[] = {
     {"encodings",
      "Normal encodings",
      "Degrees are the angle between a normal and what is read back. They are measured over a million directions, "
-     "uniform "
-     "by area. The first three columns are for a store that rounds to nearest. The columns *toward zero* are for a "
-     "float "
-     "store that truncates. A test checks the numbers.",
+     "uniform by area. The first three columns are for a store that rounds to nearest. The columns *toward zero* are "
+     "for "
+     "a float store that truncates. A test checks the numbers.",
      {"id", "bits", "mean_deg", "p99_deg", "max_deg", "mean_deg_toward_zero", "p99_deg_toward_zero",
       "max_deg_toward_zero", "sound", "pitfall", "help", "source"}},
     {"layouts",
@@ -62,14 +61,8 @@ std::string docs_text(const DocsPage& page) {
 }
 
 void write_docs(const std::filesystem::path& folder) {
-  std::error_code none;  // the stream says it below
-  std::filesystem::create_directories(folder, none);
-  for (const DocsPage& page : kPages) {
-    const std::filesystem::path path = folder / (std::string(page.list) + ".md");
-    std::ofstream file(path, std::ios::binary);
-    file << docs_text(page) << std::flush;
-    if (!file) throw Error(ExitCode::unfinished, path.string(), "cannot be written");
-  }
+  make_folder(folder);
+  for (const DocsPage& page : kPages) write_text_file(folder / (std::string(page.list) + ".md"), docs_text(page));
 }
 
 }  // namespace gbl
