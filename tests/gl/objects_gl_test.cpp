@@ -155,6 +155,9 @@ int g_waits = 0;
 
 TEST_F(GlObjects, ASlowFrameIsWaitedFor) {
   OneTexel one;
+  ASSERT_TRUE(one.right());  // from its first call on, epoxy's pointer leads to the driver and not to epoxy's look-up,
+                             // which calls what the pointer then holds: the replacement, without end
+  one.read.start(one.texture);
   g_wait = glClientWaitSync, g_waits = 0;
   const Replaced slow(
       epoxy_glClientWaitSync, +[](GLsync fence, GLbitfield flags, GLuint64 ns) -> GLenum {
