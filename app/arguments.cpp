@@ -28,13 +28,18 @@ void add_without(CLI::App& app, Arguments& a) {
 
 void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   add_without(app, a);
-  if (command == "render" || command == "view" || command == "bench") add_settings(app, a);
+  if (command == "render" || command == "view" || command == "bench" || command == "probe") add_settings(app, a);
   if (command != "view") app.add_flag("--json", a.json, "machine-readable output");
   if (command == "render") {
     app.add_option("-o,--output", a.output, "folder for the pictures, made if need be (default: out)");
     app.add_option("--only", a.only, "views, comma-separated (list views); default: all that are stored");
     app.add_flag("--raw", a.raw, "also NAME.raw.png: the stored codes, undecoded");
     app.add_flag("--sheet", a.sheet, "also sheet.png: all pictures with captions and legends");
+  }
+  if (command == "probe") {
+    const CLI::Range row_or_column(0, 1 << 20);
+    app.add_option("x", a.pixel_x, "column of the pixel, from 0 at the left")->required()->check(row_or_column);
+    app.add_option("y", a.pixel_y, "row of the pixel, from 0 at the top")->required()->check(row_or_column);
   }
   if (command == "view") {
     app.add_flag("--present", a.present, "large type for a projector");

@@ -26,12 +26,12 @@ Settings as_measured(Settings s) {
   return s;
 }
 
-void require_quick(const Settings& s, Lab& lab, const char* where, const char* mend) {
+void require_quick(const Settings& s, Lab& lab, const char* where, const char* fix) {
   const Settings witness = witness_of(s, lab.device().features);
   const double ms = std::max(lab.cost().predict_ms(*lab.resolve(s)), lab.cost().predict_ms(*lab.resolve(witness)));
   if (ms > kMostFrameMs)
     throw Error(ExitCode::unfinished, where,
-                fmt::format("predicted {:.1f} s a frame: the window would stand still", ms / 1000), mend);
+                fmt::format("predicted {:.1f} s a frame: the window would stand still", ms / 1000), fix);
 }
 
 }  // namespace gbl

@@ -27,8 +27,8 @@ inline constexpr glm::ivec2 kBackgroundSize{320, 180};  // a row then takes abou
 // All at one size, whatever is looked at.
 Settings as_measured(Settings);
 
-// Error(unfinished) where one frame would hold the window up for too long; `mend`: what to do instead. The reference's
+// Error(unfinished) where one frame would hold the window up for too long; `fix`: what to do instead. The reference's
 // GPU part is a frame by the plainest method: that one counts, too.
-void require_quick(const Settings&, Lab&, const char* where, const char* mend);
+void require_quick(const Settings&, Lab&, const char* where, const char* fix);
 
 }  // namespace gbl

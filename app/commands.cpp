@@ -11,6 +11,7 @@ namespace {
 constexpr Command kCommands[] = {
     {"view", "open the window: the lab itself", run_view},
     {"render", "draw without a window: each view as a PNG, a captioned sheet", run_render},
+    {"probe", "one pixel: the stored bits of every attachment, and what the lighting reads from them", run_probe},
     {"bench", "one set-up measured: errors against the reference, times, pairs, bytes", run_bench},
     {"study", "many set-ups measured and charted: speed against accuracy; goes on where it was stopped",
      run_study_command},

@@ -33,6 +33,7 @@ struct Arguments {
   std::optional<std::filesystem::path> output;  // -o DIR
   std::string only;                             // views, comma-separated
   bool raw = false, sheet = false;
+  int pixel_x = 0, pixel_y = 0;              // of `probe`, origin top left
   std::optional<double> budget, budget_max;  // of `advise`: codes of 255 as displayed
   std::string cost = "time";                 // of `advise`
   bool apply = false;                        // of `advise`: write the settings
@@ -64,6 +65,7 @@ std::span<const Command> commands();
 
 ExitCode run_view(const Arguments&);
 ExitCode run_render(const Arguments&);
+ExitCode run_probe(const Arguments&);
 ExitCode run_bench(const Arguments&);
 ExitCode run_study_command(const Arguments&);
 ExitCode run_advise(const Arguments&);

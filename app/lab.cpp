@@ -74,28 +74,6 @@ void Lab::collect(bool wait) {
     if (p.pass == "lighting" && p.ms) cost_.learn(work_[work_index(answered)], *p.ms);
 }
 
-void Lab::start_probe(glm::ivec2 pixel) {
-  renderer_.start_probe(drawn_, *gpu_scene_, targets_, pixel);
-  probed_pixel_ = pixel;
-}
-
-std::optional<ui::PixelProbe> Lab::take_probe() {
-  const std::optional<ProbeValues> v = renderer_.take_probe(targets_, false);
-  if (!v) return {};
-  ui::PixelProbe p;
-  p.pixel = probed_pixel_;
-  p.albedo = (*v)[0], p.roughness = (*v)[0].w;
-  p.normal = (*v)[1], p.surface = (*v)[1].w > 0.5f;
-  p.position = (*v)[2], p.range = (*v)[2].w;
-  p.diffuse_light = (*v)[3], p.specular_light = (*v)[4];
-  p.lit = (*v)[5], p.lights = (*v)[5].w;
-  p.object = static_cast<int>((*v)[6].x);
-  const std::vector<Instance>& instances = gpu_scene_->scene().instances;
-  if (p.object > 0 && p.object <= static_cast<int>(instances.size()))
-    p.object_name = instances[static_cast<size_t>(p.object) - 1].name;
-  return p;
-}
-
 Image Lab::image_of(View view) const {
   const gl::Texture& t = targets_.canvases.drawn_view(view)->texture;
   return image_from_gl_rows(t.size, gl::read_rgba8(t));

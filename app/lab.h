@@ -40,8 +40,8 @@ class Lab {
   void look_at(const Settings::View& view) { drawn_.view = view; }  // what overlays are drawn; the frame stays
   void draw_view(View, ViewOptions = {});
   void count_pairs(bool lit_too) { renderer_.count_pairs(drawn_, *gpu_scene_, targets_, lit_too); }
-  void start_probe(glm::ivec2 pixel);
-  std::optional<ui::PixelProbe> take_probe();
+  void start_probe(glm::ivec2 pixel) { renderer_.start_probe(drawn_, *gpu_scene_, targets_, pixel); }
+  std::optional<PixelProbe> take_probe(bool wait = false) { return renderer_.take_probe(targets_, wait); }
   // The views `reference` and `error` of the frame just drawn. False while the reference is being made.
   bool draw_truth_view(View, bool wait);
   double truth_progress() const { return truths_.progress(); }  // 0..1
@@ -71,7 +71,6 @@ class Lab {
   Targets targets_;
   Settings drawn_;
   FrameReport report_;
-  glm::ivec2 probed_pixel_{0};
   TruthKeeper truths_;
   std::optional<ErrorStats> error_stats_;
 

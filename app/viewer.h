@@ -59,7 +59,7 @@ class Viewer {
   bool stats_pending_ = false;            // of the error view
   std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
   Settings::View view_drawn_;
-  std::optional<ui::PixelProbe> probe_;
+  std::optional<PixelProbe> probe_;
   std::optional<glm::ivec2> probe_asked_;
   std::string message_, banner_;
   long long shaders_ = 0;

@@ -43,9 +43,6 @@
 // Blocks of pixels summed by one texel of the count reduction: 16 x 16 x 16384 lights < 2^24 is exact in float.
 #define COUNT_BLOCK 16
 
-// Texels of a probe; their meaning stands in probe.frag.
-#define PROBE_FIELDS 8
-
 GBL_BLOCK(FrameBlock) {
   mat4 clip_from_relative;   // relative = world axes, origin at the camera
   mat4 world_from_clip;      // float inverse of the float view-projection: the pitfall's matrix

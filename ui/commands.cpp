@@ -107,12 +107,13 @@ void pick_object(FrameContext& f, const KeyEvent&) {
   int& picked = f.settings.view.object;
   const std::optional<PixelProbe>& probe = f.input.probe;
   const bool pointed = probe && (f.state.held_at || f.state.hovered_pixel);
-  const int now = pointed ? probe->object : 0;
+  const int now = pointed ? probe->object() : 0;
   const bool again = now == picked;
   picked = again ? 0 : now;
   if (picked > 0)
-    say(f,
-        {fmt::format("Picked: {}, object {} of {}.", probe->object_name, picked, f.input.scene.instances.size()), ""});
+    say(f, {fmt::format("Picked: {}, object {} of {}.", object_name(*probe, f.input.scene), picked,
+                        f.input.scene.instances.size()),
+            ""});
   else
     say(f, {pointed || again ? "No object is picked." : "Point at an object or hold a pixel first.", ""});
 }

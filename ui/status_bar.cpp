@@ -34,16 +34,18 @@ std::string three(const glm::vec3& v, int digits) {
 
 std::string pixel_in_words(const FrameContext& f, const PixelProbe& p) {
   std::string text = fmt::format("pixel {}, {}", p.pixel.x, p.pixel.y);
-  if (!p.object_name.empty()) text += fmt::format("   {}", p.object_name);
-  if (!p.surface) return text + "   no surface: the background";
-  text += fmt::format("   albedo {}", three(p.albedo, 2));
+  if (p.object() > 0) text += fmt::format("   {}", object_name(p, f.input.scene));
+  if (!p.surface()) return text + "   no surface: the background";
+  text += fmt::format("   albedo {}", three(p.vector(ProbeField::albedo), 2));
+  const float roughness = p.number(ProbeField::roughness), lights = p.number(ProbeField::lights);
   if (facts(f.stored.layout).stores_roughness())
-    text += fmt::format("   roughness {:.2f} {}", p.roughness, roughness_word(p.roughness));
-  text += fmt::format("   normal {} {}   {:.1f} units away", three(p.normal, 2), facing(p.normal), p.range);
+    text += fmt::format("   roughness {:.2f} {}", roughness, roughness_word(roughness));
+  const glm::vec3 normal = p.vector(ProbeField::normal), lit = p.vector(ProbeField::lit);
   text +=
-      fmt::format("   {:.0f} light{}   lit {} → shown {} {} {}", p.lights, p.lights == 1 ? "" : "s", three(p.lit, 3),
-                  shown_code(p.lit.r, f.settings), shown_code(p.lit.g, f.settings), shown_code(p.lit.b, f.settings));
-  return text;
+      fmt::format("   normal {} {}   {:.1f} units away", three(normal, 2), facing(normal), p.number(ProbeField::range));
+  return text + fmt::format("   {:.0f} light{}   lit {} → shown {} {} {}", lights, lights == 1 ? "" : "s",
+                            three(lit, 3), shown_code(lit.r, f.settings), shown_code(lit.g, f.settings),
+                            shown_code(lit.b, f.settings));
 }
 
 std::string right_text(const FrameContext& f) {

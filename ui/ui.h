@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "renderer/frame/frame_report.h"
+#include "renderer/inspect/pixel_probe.h"
 #include "renderer/inspect/views.h"
 #include "renderer/lessons/lessons.h"
 #include "renderer/light/lights.h"
@@ -20,21 +21,6 @@
 #include "ui/stability_io.h"
 
 namespace gbl::ui {
-
-// One pixel's values, decoded by the same shader text as the lighting's. Pixels: integers, origin top left.
-struct PixelProbe {
-  glm::ivec2 pixel{0};
-  bool surface = false;  // false: background, the rest means nothing
-  glm::vec3 albedo{0};   // linear
-  float roughness = 0;
-  glm::vec3 normal{0};    // world, unit
-  glm::vec3 position{0};  // world
-  float range = 0;        // distance along the view axis, world units
-  glm::vec3 diffuse_light{0}, specular_light{0}, lit{0};
-  float lights = 0;         // lights in range that the method shaded here
-  int object = 0;           // number of the object that is seen, from 1; transparent ones included
-  std::string object_name;  // as the scene names it
-};
 
 struct ViewImage {
   uint64_t texture = 0;  // ImTextureID; 0 = not drawn this frame

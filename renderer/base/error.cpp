@@ -7,9 +7,9 @@
 namespace gbl {
 namespace {
 
-std::string one_line(std::string_view where, std::string_view what, std::string_view mend) {
+std::string one_line(std::string_view where, std::string_view what, std::string_view fix) {
   std::string line = where.empty() ? std::string(what) : fmt::format("{}: {}", where, what);
-  if (!mend.empty()) line += fmt::format("; {}", mend);
+  if (!fix.empty()) line += fmt::format("; {}", fix);
   return line;
 }
 
@@ -31,8 +31,8 @@ size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Error::Error(ExitCode code, std::string_view where, std::string_view what, std::string_view mend)
-    : std::runtime_error(one_line(where, what, mend)), code_(code) {}
+Error::Error(ExitCode code, std::string_view where, std::string_view what, std::string_view fix)
+    : std::runtime_error(one_line(where, what, fix)), code_(code) {}
 
 std::string suggest(std::string_view given, const std::string_view* known, size_t count) {
   if (count == 0) return "no value is built yet";

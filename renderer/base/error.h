@@ -11,8 +11,8 @@ enum class ExitCode { done = 0, check_failed = 1, bad_input = 2, no_gl = 3, unfi
 
 class Error : public std::runtime_error {
  public:
-  // where: file, option or place; what: what is wrong; mend: what to do about it. One line: "where: what (mend)".
-  Error(ExitCode code, std::string_view where, std::string_view what, std::string_view mend = {});
+  // where: file, option or place; what: what is wrong; fix: what to do about it. One line: "where: what (fix)".
+  Error(ExitCode code, std::string_view where, std::string_view what, std::string_view fix = {});
   ExitCode code() const { return code_; }
 
  private:

@@ -28,7 +28,7 @@ enum class ProblemId {
 struct Problem {
   ProblemId id;
   std::string path;      // of the option to change
-  std::string sentence;  // what is wrong and how to mend it
+  std::string sentence;  // what is wrong and how to fix it
 };
 const char* id_of(ProblemId);
 

@@ -1,7 +1,9 @@
 #include "renderer/gl/readback.h"
 
+#include <bit>
 #include <cstring>
 #include <fmt/format.h>
+#include <glm/gtc/packing.hpp>
 
 #include "renderer/base/error.h"
 #include "renderer/gl/gl_error.h"
@@ -12,27 +14,28 @@ namespace {
 // A framebuffer for this one read.
 class ReadScope {
  public:
-  explicit ReadScope(const Texture& t) : fbo_(make_framebuffer({.colours = {&t}, .label = "read-back"})) {
+  explicit ReadScope(const Texture& t) : fbo_(make_framebuffer(of(t))) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, fbo_.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadBuffer(is_depth(t) ? GL_NONE : GL_COLOR_ATTACHMENT0);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
-    state_pixel_storage();
   }
   ~ReadScope() { glBindFramebuffer(GL_READ_FRAMEBUFFER, 0); }
 
  private:
+  static bool is_depth(const Texture& t) { return row(t.format).numeric == Numeric::depth; }
+  static FramebufferDesc of(const Texture& t) {
+    if (is_depth(t)) return {.depth = &t, .label = "read-back"};
+    return {.colours = {&t}, .label = "read-back"};
+  }
   Framebuffer fbo_;
 };
-
-}  // namespace
-
-namespace {
 
 constexpr const char* kReadAgain = "read it again; if it stays so, choose a smaller size";
 
 template <class Value>
 std::vector<Value> read_now(const Texture& t, GLenum type) {
   const ReadScope scope(t);
+  state_pixel_storage();
   std::vector<Value> pixels(4u * t.size.x * t.size.y);
   attempt({t.label, "the read-back", kReadAgain},
           [&] { glReadPixels(0, 0, t.size.x, t.size.y, GL_RGBA, type, pixels.data()); });
@@ -53,44 +56,117 @@ GLenum state_of(GLsync fence, bool wait) {
 std::vector<uint8_t> read_rgba8(const Texture& t) { return read_now<uint8_t>(t, GL_UNSIGNED_BYTE); }
 std::vector<float> read_rgba32f(const Texture& t) { return read_now<float>(t, GL_FLOAT); }
 
-AsyncRead::~AsyncRead() { drop(); }
+AsyncBytes::~AsyncBytes() { drop(); }
 
-void AsyncRead::drop() {
+void AsyncBytes::drop() {
   if (fence_) glDeleteSync(fence_);
   fence_ = nullptr;
 }
 
-void AsyncRead::start(const Texture& t) {
+void AsyncBytes::start(std::string label, size_t bytes, const std::function<void()>& read) {
   if (!buffer_) buffer_ = Buffer::make();
   drop();
-  label_ = t.label;
-  data_.resize(4u * t.size.x * t.size.y);
-  const ReadScope scope(t);
+  label_ = std::move(label);
+  data_.resize(bytes);
+  state_pixel_storage();
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
-  glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(data_.size() * sizeof(float)), nullptr, GL_STREAM_READ);
-  glReadPixels(0, 0, t.size.x, t.size.y, GL_RGBA, GL_FLOAT, nullptr);
+  glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
+  read();
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
 }
 
-const std::vector<float>* AsyncRead::take(bool wait) {
+const std::vector<std::byte>* AsyncBytes::take(bool wait) {
   if (!fence_) return nullptr;
   const GLenum state = state_of(fence_, wait);
   if (state == GL_TIMEOUT_EXPIRED) return nullptr;
   drop();
   if (state == GL_WAIT_FAILED) fail("waiting for the read-back");
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
-  const size_t bytes = data_.size() * sizeof(float);
-  const void* mapped = glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT);
-  if (mapped) std::memcpy(data_.data(), mapped, bytes);
+  const void* mapped =
+      glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(data_.size()), GL_MAP_READ_BIT);
+  if (mapped) std::memcpy(data_.data(), mapped, data_.size());
   const bool whole = mapped && glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   if (!whole) fail("mapping the read-back");
   return &data_;
 }
 
-void AsyncRead::fail(const char* what) const {
+void AsyncBytes::fail(const char* what) const {
   throw Error(ExitCode::unfinished, label_, fmt::format("{} failed: {}", what, error_text(glGetError())), kReadAgain);
+}
+
+void AsyncRead::start(const Texture& t) {
+  values_.resize(4u * t.size.x * t.size.y);
+  const ReadScope scope(t);
+  bytes_.start(t.label, values_.size() * sizeof(float),
+               [&] { glReadPixels(0, 0, t.size.x, t.size.y, GL_RGBA, GL_FLOAT, nullptr); });
+}
+
+const std::vector<float>* AsyncRead::take(bool wait) {
+  const std::vector<std::byte>* bytes = bytes_.take(wait);
+  if (!bytes) return nullptr;
+  std::memcpy(values_.data(), bytes->data(), bytes->size());
+  return &values_;
+}
+
+namespace {
+
+constexpr size_t kTexelBytes = 16;  // no format's client data is larger
+
+// Channel c of a texel as its client data (gl_format) holds it.
+template <class Value>
+Value channel(const std::byte* texel, size_t c) {
+  Value v;
+  std::memcpy(&v, texel + c * sizeof v, sizeof v);
+  return v;
+}
+
+// What was stored in these bits, read as a float, gives these bits again: the float is representable in them.
+uint32_t bits_of(float value, int bits) {
+  if (bits == 32) return std::bit_cast<uint32_t>(value);
+  if (bits == 16) return glm::packHalf1x16(value);
+  const uint32_t packed = glm::packF2x11_1x10({value, 0, value});
+  return bits == 11 ? packed & 0x7ff : packed >> 22;
+}
+
+std::array<uint32_t, 4> bits_of(const std::byte* texel, Format format) {
+  const FormatRow& f = row(format);
+  std::array<uint32_t, 4> out{};
+  for (size_t c = 0; c < static_cast<size_t>(f.channels); ++c) {
+    const int bits = f.channel_bits[c];
+    if (f.numeric == Numeric::floating)
+      out[c] = bits_of(channel<float>(texel, c), bits);
+    else if (f.numeric == Numeric::depth)
+      out[c] = channel<uint32_t>(texel, c) >> (32 - bits);  // fixed point fills the word from its top
+    else if (bits == 8)
+      out[c] = channel<uint8_t>(texel, c);
+    else
+      out[c] = bits == 16 ? channel<uint16_t>(texel, c) : channel<uint32_t>(texel, c);
+  }
+  return out;
+}
+
+}  // namespace
+
+void AsyncTexels::start(std::span<const Texture* const> textures, glm::ivec2 texel) {
+  formats_.clear();
+  for (const Texture* t : textures) formats_.push_back(t->format);
+  bytes_.start("texels", kTexelBytes * textures.size(), [&] {
+    for (size_t i = 0; i < textures.size(); ++i) {
+      const ReadScope scope(*textures[i]);
+      const GlFormat& f = gl_format(textures[i]->format);
+      glReadPixels(texel.x, texel.y, 1, 1, f.format, f.type, reinterpret_cast<void*>(i * kTexelBytes));
+    }
+  });
+}
+
+std::optional<std::vector<std::array<uint32_t, 4>>> AsyncTexels::take(bool wait) {
+  const std::vector<std::byte>* bytes = bytes_.take(wait);
+  if (!bytes) return {};
+  std::vector<std::array<uint32_t, 4>> out;
+  for (size_t i = 0; i < formats_.size(); ++i) out.push_back(bits_of(bytes->data() + i * kTexelBytes, formats_[i]));
+  return out;
 }
 
 }  // namespace gbl::gl

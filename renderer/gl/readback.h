@@ -1,5 +1,10 @@
 #pragma once
 // Pixels from textures to the CPU: at once for files, or some frames later without waiting for the window.
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,24 +18,51 @@ std::vector<uint8_t> read_rgba8(const Texture&);
 std::vector<float> read_rgba32f(const Texture&);
 
 // A read-back under way: start() never waits, take() gives the data once it has arrived.
-class AsyncRead {
+class AsyncBytes {
  public:
-  AsyncRead() = default;
-  ~AsyncRead();
-  AsyncRead(const AsyncRead&) = delete;
-  void start(const Texture& rgba32f);  // replaces one that is under way
-  void drop();                         // forgets one that is under way
+  AsyncBytes() = default;
+  ~AsyncBytes();
+  AsyncBytes(const AsyncBytes&) = delete;
+  // `read` calls glReadPixels with offsets into the bound buffer. Replaces what is under way.
+  void start(std::string label, size_t bytes, const std::function<void()>& read);
+  void drop();  // forgets what is under way
   bool pending() const { return fence_ != nullptr; }
   // Null until it has arrived (never with `wait`, if one is under way); the data is valid until the next start().
   // Error if the driver fails.
-  const std::vector<float>* take(bool wait = false);
+  const std::vector<std::byte>* take(bool wait = false);
 
  private:
   [[noreturn]] void fail(const char* what) const;
   Buffer buffer_;
   std::string label_;
   GLsync fence_ = nullptr;
-  std::vector<float> data_;
+  std::vector<std::byte> data_;
+};
+
+// A whole texture of floats.
+class AsyncRead {
+ public:
+  void start(const Texture& rgba32f);
+  void drop() { bytes_.drop(); }
+  bool pending() const { return bytes_.pending(); }
+  const std::vector<float>* take(bool wait = false);  // four a texel; as above
+
+ private:
+  AsyncBytes bytes_;
+  std::vector<float> values_;
+};
+
+// The same texel of many textures, bit by bit.
+class AsyncTexels {
+ public:
+  void start(std::span<const Texture* const>, glm::ivec2 texel);
+  void drop() { bytes_.drop(); }
+  // Of each texture its channels' bits as FormatRow says, the lowest first in each word; a stencil is left out.
+  std::optional<std::vector<std::array<uint32_t, 4>>> take(bool wait = false);
+
+ private:
+  AsyncBytes bytes_;
+  std::vector<Format> formats_;
 };
 
 }  // namespace gbl::gl

@@ -22,8 +22,8 @@ std::vector<std::string> Job::take_notes() {
   return std::move(notes_);
 }
 
-void Job::refuse(std::string_view what, std::string_view mend) const {
-  throw Error(ExitCode::bad_input, file_, what, mend);
+void Job::refuse(std::string_view what, std::string_view fix) const {
+  throw Error(ExitCode::bad_input, file_, what, fix);
 }
 
 void Job::refuse_limit(std::string_view what, uint64_t found, uint64_t limit) const {

@@ -22,7 +22,7 @@ class Job {
   const std::string& file() const { return file_; }
   void note(std::string line);            // a warning; equal lines are kept once
   std::vector<std::string> take_notes();  // the warnings, with a count of those beyond the limit
-  [[noreturn]] void refuse(std::string_view what, std::string_view mend) const;  // Error(bad_input)
+  [[noreturn]] void refuse(std::string_view what, std::string_view fix) const;  // Error(bad_input)
   [[noreturn]] void refuse_limit(std::string_view what, uint64_t found, uint64_t limit) const;
   void step(std::string_view stage, double fraction) const;  // reports; Error(interrupted) if cancelled
   bool cancelled() const { return progress_ && progress_->cancelled; }

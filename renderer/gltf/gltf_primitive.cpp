@@ -71,7 +71,7 @@ void make_flat(Mesh& mesh) {
 }
 
 // Normals of zero length: the mean of the triangles around, by area.
-void mend_normals(Mesh& mesh, Job& job) {
+void fix_normals(Mesh& mesh, Job& job) {
   std::vector<uint32_t> zero;
   for (size_t i = 0; i < mesh.vertices.size(); ++i)
     if (is_zero(mesh.vertices[i].normal)) zero.push_back(static_cast<uint32_t>(i));
@@ -86,7 +86,7 @@ void mend_normals(Mesh& mesh, Job& job) {
   }
 }
 
-void mend_tangents(Mesh& mesh, bool given) {
+void fix_tangents(Mesh& mesh, bool given) {
   for (Vertex& v : mesh.vertices)
     if (!given || is_zero(glm::vec3(v.tangent)) || !std::isfinite(v.tangent.x)) v.tangent = any_tangent(v.normal);
 }
@@ -104,14 +104,14 @@ Mesh build_mesh(const Document& document, const Primitive& primitive, const Join
   if (mesh.indices.empty()) return {};
   drop_unused_vertices(mesh);
   if (data.has_normals)
-    mend_normals(mesh, job);
+    fix_normals(mesh, job);
   else
     make_flat(mesh);
   const bool has_uv = primitive.uv[need.uv_set] >= 0;
   if (need.needed && !data.has_tangents && has_uv)
     make_tangents(mesh, need.uv_set, need.uv_transform);
   else
-    mend_tangents(mesh, data.has_tangents);
+    fix_tangents(mesh, data.has_tangents);
   if (need.needed && !data.has_tangents && !has_uv)
     job.note(fmt::format("mesh '{}': a normal map, but no texture coordinates for it", name));
   return mesh;

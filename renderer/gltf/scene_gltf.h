@@ -2,7 +2,7 @@
 // glTF 2.0 files (.gltf, .glb) as scenes. No GL. ("The specification" below: Khronos 2021, "glTF 2.0 Specification",
 // version 2.0.1.)
 //
-// A file that cannot be shown is one Error(bad_input) that names the file, the place in it and the mend: not glTF 2.0,
+// A file that cannot be shown is one Error(bad_input) that names the file, the place in it and the fix: not glTF 2.0,
 // an extension it requires and we lack, a limit exceeded, broken JSON or container, nothing drawable.
 // A broken part of a file is left out and said in Scene.warnings, while the rest stands: a bad mesh is not drawn, a bad
 // image is a magenta checker, a bad node hangs nowhere. What we do not draw is said there too, once each: animations,

@@ -9,14 +9,14 @@ Camera camera_at(glm::dvec3 position, double yaw, double pitch, double fov, doub
 
 // What the fixed twins have in common: the background is skipped, light is summed in half floats and shown by the
 // sRGB curve, and nothing is switched on by id.
-void mend_common(Settings& s) {
+void fix_common(Settings& s) {
   s.background.skip = BackgroundSkip::depth;
   s.accumulation.format = AccumulationFormat::rgba16f;
   s.colour = Colour::srgb;
   s.mistakes.clear();
 }
 
-void mend_volumes(Settings& s) {
+void fix_volumes(Settings& s) {
   s.lights.cull = LightCull::flip_safe;
   s.lights.volume.fit = VolumeFit::circumscribed;
   s.lights.volume.clip = VolumeClip::none;
@@ -49,8 +49,8 @@ Settings nclgl() {
 
 Settings nclgl_fixed() {
   Settings s = nclgl();
-  mend_common(s);
-  mend_volumes(s);
+  fix_common(s);
+  fix_volumes(s);
   s.position.reconstruct = PositionReconstruct::view_ray;
   return s;
 }
@@ -77,7 +77,7 @@ Settings stereo() {
 
 Settings stereo_fixed() {
   Settings s = stereo();
-  mend_common(s);
+  fix_common(s);
   s.normal.encoding = NormalEncoding::oct16;
   s.position.reconstruct = PositionReconstruct::view_ray;
   return s;
@@ -130,7 +130,7 @@ Settings learnopengl() {
 
 Settings learnopengl_fixed() {
   Settings s = learnopengl();
-  mend_common(s);
+  fix_common(s);
   s.lights.volume.fit = VolumeFit::circumscribed;
   s.lights.volume.clip = VolumeClip::none;
   s.range.kind = RangeKind::windowed;
@@ -165,7 +165,7 @@ Settings objectid() {
 
 Settings objectid_fixed() {
   Settings s = objectid();
-  mend_common(s);
+  fix_common(s);
   s.background.skip = BackgroundSkip::stencil;  // no mistake: it stays
   s.range.kind = RangeKind::windowed;
   return s;
@@ -196,7 +196,7 @@ Settings viewspace() {
 
 Settings viewspace_fixed() {
   Settings s = viewspace();
-  mend_common(s);
+  fix_common(s);
   s.background.skip = BackgroundSkip::alpha;  // no mistake where the targets are cleared
   s.lights.method = LightMethod::quads;
   s.position.source = PositionSource::view32f;

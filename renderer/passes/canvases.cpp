@@ -1,5 +1,6 @@
 #include "renderer/passes/canvases.h"
 
+#include "renderer/inspect/pixel_probe.h"
 #include "renderer/passes/frame_block.h"
 
 namespace gbl {
@@ -76,7 +77,7 @@ Canvas& Canvases::count_sums() {
 }
 Canvas& Canvases::errors() { return made(errors_, {.size = size_, .format = Format::rgba32f, .label = "errors"}); }
 Canvas& Canvases::probe() {
-  return made(probe_, {.size = {PROBE_FIELDS, 1}, .format = Format::rgba32f, .label = "probe"});
+  return made(probe_, {.size = {kProbeFieldCount, 1}, .format = Format::rgba32f, .label = "probe"});
 }
 
 }  // namespace gbl

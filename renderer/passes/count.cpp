@@ -1,4 +1,4 @@
-// Counting pairs and probing pixels: variants of their own, so that what is timed is not slowed.
+// Counting pairs: variants of their own, so that what is timed is not slowed.
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/lighting.h"
 
@@ -44,26 +44,6 @@ void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& ta
   targets.reads.counts.start(sums.texture);
   canvases.counts_valid = true;
   canvases.counts_lit_valid = lit_too;
-}
-
-void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& targets, glm::ivec2 pixel) {
-  if (!targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
-  Frame frame = frame_of(s, scene, targets);
-  gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", frame.resolved.split});
-  const gl::Program& program = programs_.get("fullscreen.vert", "probe.frag", defines);
-  draw_ids(frame);
-  Canvas& canvas = targets.canvases.probe();
-  begin_drawing(canvas.framebuffer, canvas.texture.size, {});
-  bind_gbuffer(frame);
-  bind_light_sums(frame);
-  gl::bind_texture("lit", frame.texture(Stores::lit));
-  gl::bind_texture("counts", targets.canvases.counts().texture);
-  gl::bind_texture("ids", targets.canvases.ids().texture);
-  glUseProgram(program.id());
-  glUniform2i(program.uniform("pixel"), pixel.x, s.size.y - 1 - pixel.y);
-  shapes_.draw_fullscreen();
-  targets.reads.probe.start(canvas.texture);
 }
 
 }  // namespace gbl

@@ -88,13 +88,4 @@ void Renderer::collect(Targets& targets, FrameReport& report, bool wait) {
   }
 }
 
-std::optional<ProbeValues> Renderer::take_probe(Targets& targets, bool wait) {
-  const std::vector<float>* values = targets.reads.probe.take(wait);
-  if (!values) return {};
-  ProbeValues out;
-  static_assert(sizeof out == PROBE_FIELDS * 4 * sizeof(float));
-  std::memcpy(out.data(), values->data(), sizeof out);
-  return out;
-}
-
 }  // namespace gbl

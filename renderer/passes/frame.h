@@ -5,6 +5,7 @@
 
 #include "renderer/frame/frame_report.h"
 #include "renderer/frame/resolved_frame.h"
+#include "renderer/inspect/pixel_probe.h"
 #include "renderer/passes/gpu_scene.h"
 #include "renderer/passes/programs.h"
 #include "renderer/passes/shapes.h"
@@ -16,8 +17,8 @@ namespace gbl {
 // what it may change then is the GPU's state alone.
 class Frame {
  public:
-  Frame(std::shared_ptr<const ResolvedFrame> r, const Settings::View& v, const GpuScene& s, Targets& t, ProgramCache& p,
-        Shapes& sh)
+  Frame(const std::shared_ptr<const ResolvedFrame>& r, const Settings::View& v, const GpuScene& s, Targets& t,
+        ProgramCache& p, Shapes& sh)
       : resolved(*r), settings(r->settings), view(v), scene(s), programs(p), shapes(sh), targets_(t), held_(r) {}
 
   const ResolvedFrame& resolved;
@@ -53,9 +54,6 @@ struct ViewOptions {
   double error_range = 1;                // where the error's colour bar ends
 };
 
-// One pixel's values in a row of texels; their meaning stands in shaders/probe.frag.
-using ProbeValues = std::array<glm::vec4, 8>;
-
 class Renderer {
  public:
   // What these settings mean for this scene on this device; worked out once until something changes.
@@ -81,7 +79,7 @@ class Renderer {
 
   // What has arrived since: times and pair counts into the report. `wait` blocks until all of it has.
   void collect(Targets&, FrameReport&, bool wait);
-  std::optional<ProbeValues> take_probe(Targets&, bool wait);
+  std::optional<PixelProbe> take_probe(Targets&, bool wait);
 
   void reload_shaders() { programs_.reload(); }
 

@@ -21,9 +21,18 @@ struct Uploads {
   std::vector<glm::vec4> record_texels;  // scratch, kept so that a steady frame allocates nothing
 };
 
+// Of one pixel: its values in a row of texels, a field of PixelProbe each, and its attachments' texels.
+struct ProbeReads {
+  glm::ivec2 pixel{0};
+  gl::AsyncRead values;
+  gl::AsyncTexels stored;
+  void drop() { values.drop(), stored.drop(); }
+};
+
 // Answers under way.
 struct ReadBacks {
-  gl::AsyncRead counts, probe, error;
+  gl::AsyncRead counts, error;
+  ProbeReads probe;
   void drop() { counts.drop(), probe.drop(), error.drop(); }  // they are of another frame than the next
 };
 

@@ -28,7 +28,7 @@ struct StudySpec {
   std::shared_ptr<const Json> json;  // as read
 };
 
-// Every path, value and column has been checked. Error(bad_input) names file, path, what is wrong and how to mend it.
+// Every path, value and column has been checked. Error(bad_input) names file, path, what is wrong and how to fix it.
 StudySpec parse_study(std::string_view text, std::string_view where);
 // A built-in study by its name, or else a file.
 StudySpec load_study(const std::string& name_or_file);

@@ -43,8 +43,20 @@ TEST(CommandLine, WhatIsWrongIsNamed) {
   EXPECT_NE(refused({"render", "--lights", "16385"}).find("16384"), std::string::npos);
   EXPECT_NE(refused({"render", "--scene", "nothere.gltf"}).find("nothere.gltf"), std::string::npos);
   EXPECT_NE(refused({"render", "--camera", "1,2"}).find("x,y,z:yaw,pitch"), std::string::npos);
+  EXPECT_NE(refused({"probe", "3"}).find("y"), std::string::npos);
+  EXPECT_NE(refused({"probe", "-3", "4"}).find("-3"), std::string::npos);
   EXPECT_EQ(refused({"render", "--lights", "0"}), "accepted");
   EXPECT_EQ(refused({"render", "--lights", "16384"}), "accepted");
+}
+
+TEST(CommandLine, APixelOutsideThePictureIsRefusedWithTheBounds) {
+  try {
+    run_probe(parsed({"probe", "64", "0", "--size", "64x36"}));
+    FAIL() << "accepted";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ExitCode::bad_input);
+    EXPECT_NE(std::string(e.what()).find("0 to 63 and 0 to 35"), std::string::npos) << e.what();
+  }
 }
 
 }  // namespace

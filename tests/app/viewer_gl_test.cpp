@@ -185,7 +185,7 @@ TEST_F(Viewers, AProbeAnswersForThePixelAskedFor) {
   ui::Requests r = showing({View::final});
   for (const glm::ivec2 pixel : {glm::ivec2(80, 60), {0, 0}, {159, 89}}) {
     r.probe = pixel;
-    std::optional<ui::PixelProbe> probe;
+    std::optional<PixelProbe> probe;
     for (int k = 0; k < 200 && !(probe && probe->pixel == pixel); ++k) {
       update(s, r);
       probe = viewer_->input(0).probe;
@@ -194,8 +194,8 @@ TEST_F(Viewers, AProbeAnswersForThePixelAskedFor) {
     ASSERT_TRUE(probe);
     const Picture lit = picture_of(*lab_->targets().frame.texture(Stores::lit));
     const glm::vec4 texel = lit.texels[size_t(s.size.y - 1 - pixel.y) * s.size.x + pixel.x];
-    EXPECT_EQ(probe->surface, texel.a == 1);
-    EXPECT_EQ(probe->lit, glm::vec3(texel));
+    EXPECT_EQ(probe->surface(), texel.a == 1);
+    EXPECT_EQ(probe->vector(ProbeField::lit), glm::vec3(texel));
   }
   r.probe.reset();
   update(s, r);

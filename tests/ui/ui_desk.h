@@ -47,8 +47,13 @@ class Desk {
     input.chart = chart;
     input.stability = stability;
     input.advisor = advisor;
-    input.probe = PixelProbe{
-        .pixel = {123, 456}, .surface = true, .roughness = 0.5f, .normal = {0, 1, 0}, .range = 1234.5f, .lights = 5};
+    input.probe = PixelProbe{.pixel = {123, 456}};
+    const auto probed = [&](ProbeField field, glm::vec3 value) {
+      input.probe->values[static_cast<size_t>(field)] = {value, 0};
+    };
+    probed(ProbeField::surface, glm::vec3(1)), probed(ProbeField::roughness, glm::vec3(0.5f));
+    probed(ProbeField::normal, {0, 1, 0}), probed(ProbeField::range, glm::vec3(1234.5f));
+    probed(ProbeField::lights, glm::vec3(5));
     ImGui::GetIO().DeltaTime = 1.0f / 60;
     ImGui::NewFrame();
     requests = ui.draw(settings, input, keys);

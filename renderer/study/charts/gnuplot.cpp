@@ -19,8 +19,8 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-[[noreturn]] void cannot(std::string_view what, std::string_view mend) {
-  throw Error(ExitCode::unfinished, "gnuplot", what, mend);
+[[noreturn]] void cannot(std::string_view what, std::string_view fix) {
+  throw Error(ExitCode::unfinished, "gnuplot", what, fix);
 }
 
 // A file without a name: a pipe would block, or kill us, when gnuplot stops reading.
