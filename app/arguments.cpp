@@ -2,24 +2,50 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <iostream>
+#include <limits>
+#include <type_traits>
 
 #include "app/commands.h"
+#include "renderer/base/number.h"
 
 namespace gbl {
 namespace {
+
+// A number, read by the rule of all options.
+template <class Value>
+CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<Value>& into, const std::string& help,
+                        double least, double most) {
+  const auto take = [&into, name, least, most](const std::string& text) {
+    constexpr bool kWhole = std::is_integral_v<Value>;
+    const std::optional<double> n = kWhole ? std::optional<double>(whole_decimal(text)) : decimal(text);
+    if (!n)
+      throw Error(ExitCode::bad_input, name, fmt::format("'{}' is not a {}", text, kWhole ? "whole number" : "number"),
+                  kWhole ? "write it in decimal digits, e.g. 12" : "write a decimal, e.g. 12 or 0.5");
+    if (*n < least || *n > most)
+      throw Error(ExitCode::bad_input, name, fmt::format("{} is outside {} to {}", text, least, most));
+    into = static_cast<Value>(*n);
+  };
+  return app.add_option_function<std::string>(name, take, help)
+      ->type_name(std::is_integral_v<Value> ? "INT" : "NUMBER");
+}
+
+constexpr double kAnyInt = std::numeric_limits<int>::max();
+constexpr double kAnyNumber = std::numeric_limits<double>::max();
 
 // What is drawn: for the commands that draw.
 void add_settings(CLI::App& app, Arguments& a) {
   app.add_option("--scene", a.scene, "builtin:NAME or a model's file; brings its own camera and lights");
   app.add_option("--preset", a.preset, "whole settings by name (list presets)");
   app.add_option("--state", a.state, "settings from a JSON file or from a PNG that this program wrote");
-  app.add_option("--set", a.set, "path=value, repeatable (list options)")->allow_extra_args(false);
+  app.add_option("--set", a.set, "one option (list options); repeatable: --set a=1 --set b=2")
+      ->allow_extra_args(false)
+      ->option_text("PATH=VALUE");
   app.add_option("--size", a.size, "WxH in pixels");
-  app.add_option("--lights", a.lights, "number of generated lights, 0 to 16384");
-  app.add_option("--seed", a.seed, "of the generated lights");
+  add_number(app, "--lights", a.lights, "number of generated lights, 0 to 16384", -kAnyInt, kAnyInt);
+  add_number(app, "--seed", a.seed, "of the generated lights", 0, std::numeric_limits<unsigned>::max());
   app.add_option("--camera", a.camera, "x,y,z:yaw,pitch[:fov] in world units and degrees");
   app.add_option("--rig", a.rig, "lights from a rig's JSON file");
-  app.add_option("--time", a.time, "seconds: lights move as functions of it");
+  add_number(app, "--time", a.time, "seconds: lights move as functions of it", -kAnyNumber, kAnyNumber);
 }
 
 void add_without(CLI::App& app, Arguments& a) {
@@ -29,7 +55,7 @@ void add_without(CLI::App& app, Arguments& a) {
 void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   add_without(app, a);
   if (command == "render" || command == "view" || command == "bench" || command == "probe") add_settings(app, a);
-  if (command != "view") app.add_flag("--json", a.json, "machine-readable output");
+  CLI::Option* json = command == "view" ? nullptr : app.add_flag("--json", a.json, "machine-readable output");
   if (command == "render") {
     app.add_option("-o,--output", a.output, "folder for the pictures, made if need be (default: out)");
     app.add_option("--only", a.only, "views, comma-separated (list views); default: all that are stored");
@@ -37,20 +63,21 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_flag("--sheet", a.sheet, "also sheet.png: all pictures with captions and legends");
   }
   if (command == "probe") {
-    const CLI::Range row_or_column(0, 1 << 20);
-    app.add_option("x", a.pixel_x, "column of the pixel, from 0 at the left")->required()->check(row_or_column);
-    app.add_option("y", a.pixel_y, "row of the pixel, from 0 at the top")->required()->check(row_or_column);
+    constexpr double kMost = 1 << 20;
+    add_number(app, "x", a.pixel_x, "column of the pixel, from 0 at the left", 0, kMost)->required();
+    add_number(app, "y", a.pixel_y, "row of the pixel, from 0 at the top", 0, kMost)->required();
   }
   if (command == "view") {
     app.add_flag("--present", a.present, "large type for a projector");
     app.add_option("--lesson", a.lesson, "open this lesson (list lessons)");
     app.add_flag("--fresh", a.fresh, "start from the preset; nothing is remembered between runs, so this is always so");
-    app.add_option("--frames", a.frames, "draw so many frames and leave")->check(CLI::NonNegativeNumber);
+    add_number(app, "--frames", a.frames, "draw so many frames and leave", 0, kAnyInt);
   }
   if (command == "advise") {
     add_settings(app, a);
-    app.add_option("--budget", a.budget, "codes of 255 as displayed that 99.9 % of the pixels must hold (default: 1)");
-    app.add_option("--budget-max", a.budget_max, "the same for every pixel");
+    add_number(app, "--budget", a.budget, "codes of 255 as displayed that 99.9 % of the pixels must hold (default: 1)",
+               -kAnyNumber, kAnyNumber);
+    add_number(app, "--budget-max", a.budget_max, "the same for every pixel", -kAnyNumber, kAnyNumber);
     app.add_option("--cost", a.cost, "what is to be small: time, bytes or pairs (default: time)");
     app.add_flag("--apply", a.apply, "write the set-up to settings.json");
     app.add_option("-o,--output", a.output, "folder of settings.json (default: out)");
@@ -62,13 +89,12 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   }
   if (command == "stability") {
     app.add_option("sweep", a.sweeps, "sweeps by id; default: all. An unknown one is answered with the known ones");
-    app.add_option("--configurations", a.configurations, "of cull-families, in each family (default: 48)")
-        ->check(CLI::Range(1, 1000));
+    add_number(app, "--configurations", a.configurations, "of cull-families, in each family (default: 48)", 1, 1000);
     app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: out/stability)");
   }
   if (command == "list") {
     CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");
-    app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what);
+    app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what)->excludes(json);
     app.add_option("--docs", a.docs, "write the pages of docs/tables to this folder")->excludes(what);
   }
 }
@@ -102,6 +128,15 @@ std::string unknown_argument(const CLI::App& app, const std::string& message) {
   return suggest(given, known);
 }
 
+// An empty value is a script's mistake: a variable that was never set.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::Option* o : app.get_options())
+    for (const std::string& value : o->results())
+      if (value.empty())
+        throw Error(ExitCode::bad_input, o->get_name(), "has an empty value", "give one or leave it out");
+  for (const CLI::App* command : app.get_subcommands()) refuse_empty_values(*command);
+}
+
 }  // namespace
 
 Arguments parse_arguments(int argc, const char* const* argv) {
@@ -122,6 +157,7 @@ Arguments parse_arguments(int argc, const char* const* argv) {
     const std::string help = unknown_argument(app, e.what());
     throw Error(ExitCode::bad_input, "command line", e.what(), help.empty() ? "see --help" : help);
   }
+  refuse_empty_values(app);
   return a;
 }
 

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"

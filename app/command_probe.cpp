@@ -64,16 +64,17 @@ void print_text(const PixelProbe& p, const Lab& lab) {
 
 ExitCode run_probe(const Arguments& a) {
   const auto [s, scene] = setup_of(a);
-  if (a.pixel_x >= s.size.x || a.pixel_y >= s.size.y)
+  const glm::ivec2 pixel{a.pixel_x.value(), a.pixel_y.value()};
+  if (pixel.x >= s.size.x || pixel.y >= s.size.y)
     throw Error(
-        ExitCode::bad_input, fmt::format("pixel {} {}", a.pixel_x, a.pixel_y),
+        ExitCode::bad_input, fmt::format("pixel {} {}", pixel.x, pixel.y),
         fmt::format("it lies outside the picture of {}", size_text(s.size)),
         fmt::format("choose 0 to {} and 0 to {}, from the top left; or another --size", s.size.x - 1, s.size.y - 1));
   const HeadlessContext context;
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.draw(s);
-  lab.start_probe({a.pixel_x, a.pixel_y});
+  lab.start_probe(pixel);
   const PixelProbe probe = lab.take_probe(true).value();
   if (a.json)
     print_json(probe, lab);

@@ -10,6 +10,7 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/report_json.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
 #include "renderer/frame/packing_svg.h"
@@ -35,7 +36,7 @@ std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
     const View v = view_by_id(id).view;
     const std::string missing = why_missing(v, s);
     if (!missing.empty()) throw Error(ExitCode::bad_input, fmt::format("--only {}", id), missing);
-    out.push_back(v);
+    if (std::find(out.begin(), out.end(), v) == out.end()) out.push_back(v);  // named twice, drawn once
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/stability_bench.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/stability/stability_chart.h"

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/scenes/scene_look.h"
 #include "renderer/study/study.h"
@@ -20,19 +21,25 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> interrupted{false};
 
-// Ctrl+C ends the row under way and keeps the others; a second one ends the program.
+constexpr int kEndings[] = {SIGINT, SIGTERM};  // Ctrl+C, and a system that shuts down
+
+// Either ends the row under way and keeps the others; a second one ends the program.
 class InterruptScope {
  public:
-  InterruptScope() { before_ = std::signal(SIGINT, &InterruptScope::handle); }
-  ~InterruptScope() { std::signal(SIGINT, before_); }
+  InterruptScope() {
+    for (size_t i = 0; i < std::size(kEndings); ++i) before_[i] = std::signal(kEndings[i], &InterruptScope::handle);
+  }
+  ~InterruptScope() {
+    for (size_t i = 0; i < std::size(kEndings); ++i) std::signal(kEndings[i], before_[i]);
+  }
   InterruptScope(const InterruptScope&) = delete;
 
  private:
-  static void handle(int) {
+  static void handle(int signal) {
     interrupted = true;
-    std::signal(SIGINT, SIG_DFL);
+    std::signal(signal, SIG_DFL);
   }
-  void (*before_)(int);
+  void (*before_[std::size(kEndings)])(int);
 };
 
 std::string time_left(std::optional<double> seconds) {

@@ -10,6 +10,7 @@
 #include "app/imgui_screen.h"
 #include "app/viewer.h"
 #include "app/window.h"
+#include "renderer/base/files.h"
 #include "renderer/base/resources.h"
 #include "renderer/options/settings_json.h"
 
@@ -138,7 +139,7 @@ class Loop {
 
 ExitCode run_view(const Arguments& a) {
   auto [settings, scene] = setup_of(a);
-  Loop(a, std::move(settings), std::move(scene)).run(a.frames);
+  Loop(a, std::move(settings), std::move(scene)).run(a.frames.value_or(0));
   return ExitCode::done;
 }
 

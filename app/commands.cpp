@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <new>
 
+#include "renderer/base/files.h"
+
 namespace gbl {
 namespace {
 
@@ -32,6 +34,12 @@ ExitCode run(const Arguments& a) {
   return ExitCode::bad_input;
 }
 
+// A library's "[json.exception.type_error.302] type must be …" as a sentence.
+std::string without_library(std::string_view what) {
+  if (what.starts_with('[')) what.remove_prefix(std::min(what.find("] ") + 2, what.size()));
+  return printable(what, 300);
+}
+
 int complain(const char* message, ExitCode code) {
   fmt::print(stderr, "gbufferlab: {}\n", message);
   return static_cast<int>(code);
@@ -49,15 +57,18 @@ bool display_present() {
 
 int run_program(int argc, const char* const* argv) {
   // Files are renamed into place when whole, so leaving at once loses nothing but a temporary file.
-  std::signal(SIGINT, [](int) { std::_Exit(static_cast<int>(ExitCode::interrupted)); });
+  for (const int end : {SIGINT, SIGTERM})
+    std::signal(end, [](int) { std::_Exit(static_cast<int>(ExitCode::interrupted)); });
   try {
-    return static_cast<int>(run(parse_arguments(argc, argv)));
+    const ExitCode code = run(parse_arguments(argc, argv));
+    flush_output();
+    return static_cast<int>(code);
   } catch (const Error& e) {
     return complain(e.what(), e.code());
   } catch (const std::bad_alloc&) {
     return complain("out of memory; choose a smaller size or scene", ExitCode::unfinished);
   } catch (const std::exception& e) {
-    return complain(e.what(), ExitCode::unfinished);
+    return complain(without_library(e.what()).c_str(), ExitCode::unfinished);
   }
 }
 

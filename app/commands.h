@@ -33,14 +33,14 @@ struct Arguments {
   std::optional<std::filesystem::path> output;  // -o DIR
   std::string only;                             // views, comma-separated
   bool raw = false, sheet = false;
-  int pixel_x = 0, pixel_y = 0;              // of `probe`, origin top left
+  std::optional<int> pixel_x, pixel_y;       // of `probe`, origin top left
   std::optional<double> budget, budget_max;  // of `advise`: codes of 255 as displayed
   std::string cost = "time";                 // of `advise`
   bool apply = false;                        // of `advise`: write the settings
   std::optional<std::string> shard;          // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson;
-  int frames = 0;                             // of `view`: draw so many and leave; 0 = until closed
+  std::optional<int> frames;                  // of `view`: draw so many and leave; none or 0: until closed
   std::optional<std::filesystem::path> docs;  // of `list`: the folder of the documents' tables
 };
 

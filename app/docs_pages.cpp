@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.h"
+#include "renderer/base/files.h"
 #include "renderer/picture/image.h"
 
 namespace gbl {

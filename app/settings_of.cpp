@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "renderer/base/number.h"
 #include "renderer/base/size_text.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
@@ -17,13 +18,10 @@ std::vector<double> numbers(const std::string& text, const char* where, const ch
   std::vector<double> out;
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) {
-    size_t used = 0;
-    try {
-      out.push_back(std::stod(part, &used));
-    } catch (const std::exception&) {
-    }
-    if (used == 0 || used != part.size())
+    const std::optional<double> n = decimal(part);
+    if (!n)
       throw Error(ExitCode::bad_input, where, fmt::format("'{}' is not a number", part), fmt::format("write {}", form));
+    out.push_back(*n);
   }
   return out;
 }

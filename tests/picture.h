@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/files.h"
 #include "renderer/picture/image.h"
 #include "tests/test_paths.h"
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <unistd.h>
 
+#include "renderer/base/files.h"
 #include "renderer/base/resources.h"
 #include "renderer/picture/image.h"
 #include "tests/test_paths.h"

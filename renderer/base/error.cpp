@@ -7,8 +7,23 @@
 namespace gbl {
 namespace {
 
-std::string one_line(std::string_view where, std::string_view what, std::string_view fix) {
-  std::string line = where.empty() ? std::string(what) : fmt::format("{}: {}", where, what);
+// Bytes of the UTF-8 character at the front of the text; 0: it is none (RFC 3629).
+size_t utf8_length(std::string_view text) {
+  const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  const size_t length = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : (first & 0xf0) == 0xe0 ? 3 : 0;
+  const size_t wanted = first >= 0xf0 && first < 0xf5 ? 4 : length;
+  if (wanted == 0 || text.size() < wanted) return 0;
+  for (size_t i = 1; i < wanted; ++i)
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  return wanted;
+}
+
+constexpr size_t kMostOfAPart = 300;  // bytes: a screen's width twice over; what a file holds can be of any length
+
+std::string one_line(std::string_view place, std::string_view trouble, std::string_view fix) {
+  const std::string where = printable(place, kMostOfAPart), what = printable(trouble, kMostOfAPart);
+  std::string line = where.empty() ? what : fmt::format("{}: {}", where, what);
   if (!fix.empty()) line += fmt::format("; {}", fix);
   return line;
 }
@@ -30,6 +45,22 @@ size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string printable(std::string_view text, size_t most) {
+  std::string out;
+  while (!text.empty()) {
+    const size_t length = utf8_length(text);
+    if (out.size() + std::max<size_t>(length, 1) > most) return out + "…";
+    if (length == 0)
+      out += '?';
+    else if (length == 1 && (static_cast<unsigned char>(text[0]) < 0x20 || text[0] == 0x7f))
+      out += ' ';
+    else
+      out += text.substr(0, length);
+    text.remove_prefix(std::max<size_t>(length, 1));
+  }
+  return out;
+}
 
 Error::Error(ExitCode code, std::string_view where, std::string_view what, std::string_view fix)
     : std::runtime_error(one_line(where, what, fix)), code_(code) {}

@@ -1,16 +1,15 @@
 #include "renderer/base/size_text.h"
 
-#include <charconv>
 #include <fmt/format.h>
+
+#include "renderer/base/number.h"
 
 namespace gbl {
 namespace {
 
 std::optional<int> whole_number(std::string_view text) {
-  int n = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, n);
-  return error == std::errc() && rest == end ? std::optional(n) : std::nullopt;
+  const std::optional<long long> n = whole_decimal(text);
+  return n && *n == static_cast<int>(*n) ? std::optional(static_cast<int>(*n)) : std::nullopt;
 }
 
 // `from` … `to`: the place of what stands between them.

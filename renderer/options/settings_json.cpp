@@ -4,10 +4,9 @@
 #include <cassert>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 
 namespace gbl {
@@ -160,13 +159,35 @@ OptionValue parse_value(std::string_view text, std::string_view where) {
   return json.is_discarded() ? OptionValue(std::string(text)) : option_value(json);
 }
 
+namespace {
+
+// "1,2,3" as [1,2,3].
+OptionValue listed(std::string_view text) {
+  OptionList list;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    list.push_back(parse_value(text.substr(begin, end - begin), "--set"));
+    begin = end + 1;
+  }
+  return list;
+}
+
+}  // namespace
+
 void apply_assignment(Settings& s, std::string_view assignment) {
   const size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
     throw Error(ExitCode::bad_input, "--set", fmt::format("'{}' has no '='", assignment), "write path=value");
-  const OptionValue value = parse_value(assignment.substr(equals + 1), "--set");
-  const Option& o = option(assignment.substr(0, equals));
-  o.set(s, value, o);
+  const std::string_view path = assignment.substr(0, equals), text = assignment.substr(equals + 1);
+  const Option& o = option(path);
+  const bool list = std::holds_alternative<OptionList>(o.get(s));
+  if (text.empty())
+    throw Error(ExitCode::bad_input, fmt::format("--set {}", path), "has no value",
+                fmt::format("write {}={}", path,
+                            list                   ? "[] for none"
+                            : o.kind == Kind::text ? "\"\" for no text"
+                                                   : "VALUE"));
+  o.set(s, list && text[0] != '[' ? listed(text) : parse_value(text, "--set"), o);
 }
 
 Json parse_json(std::string_view text, std::string_view where) {
@@ -183,12 +204,6 @@ Json parse_json(std::string_view text, std::string_view where) {
   }
 }
 
-Json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf()))
-    throw Error(ExitCode::bad_input, path.string(), "cannot be read", "check the path and its permissions");
-  return parse_json(text.str(), path.string());
-}
+Json read_json(const std::filesystem::path& path) { return parse_json(read_text_file(path), path.string()); }
 
 }  // namespace gbl

@@ -11,42 +11,17 @@
 #include <png.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 
 namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
-  throw Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", why),
-              "choose a folder that can be written and has room");
-}
-
 struct Closer {
   void operator()(std::FILE* f) const { std::fclose(f); }
 };
 using File = std::unique_ptr<std::FILE, Closer>;
-
-// Writes beside the target and renames only when all is on disk: nobody ever sees half a file.
-template <class Write>
-void write_by_rename(const fs::path& path, Write write) {
-  const fs::path temporary = path.string() + ".tmp";
-  try {
-    File file(std::fopen(temporary.c_str(), "wb"));
-    if (!file) cannot_write(path, std::strerror(errno));
-    write(file.get());
-    if (std::fflush(file.get()) != 0) cannot_write(path, std::strerror(errno));
-    file.reset();
-    fs::rename(temporary, path);
-  } catch (const fs::filesystem_error& e) {
-    fs::remove(temporary);
-    cannot_write(path, e.code().message());
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
-  }
-}
 
 [[noreturn]] void on_png_error(png_structp, png_const_charp message) { throw std::runtime_error(message); }
 void on_png_warning(png_structp, png_const_charp) {}
@@ -114,11 +89,12 @@ Image image_from_gl_rows(glm::ivec2 size, std::vector<uint8_t> rgba) {
 }
 
 void write_png(const fs::path& path, const Image& image, const PngText& texts) {
-  write_by_rename(path, [&](std::FILE* file) {
+  write_file(path, [&](std::FILE* file) {
     try {
       encode_png(file, image, texts);
     } catch (const std::runtime_error& e) {
-      cannot_write(path, e.what());
+      throw Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", e.what()),
+                  "choose a folder that can be written and has room");
     }
   });
 }
@@ -158,18 +134,6 @@ std::string read_png_text(const fs::path& path, const char* key) {
   } catch (const std::runtime_error& e) {
     throw Error(ExitCode::bad_input, path.string(), e.what());
   }
-}
-
-void write_text_file(const fs::path& path, const std::string& text) {
-  write_by_rename(path, [&](std::FILE* file) {
-    if (std::fwrite(text.data(), 1, text.size(), file) != text.size()) cannot_write(path, std::strerror(errno));
-  });
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) cannot_write(folder, error ? error.message() : "it is not a folder");
 }
 
 }  // namespace gbl

@@ -25,10 +25,6 @@ void write_png(const std::filesystem::path&, const Image&, const PngText& = {});
 Image read_png(const std::filesystem::path&);                              // Error(bad_input)
 std::string read_png_text(const std::filesystem::path&, const char* key);  // "" if there is none
 
-// Text to a file by a temporary name; Error(unfinished) if it cannot be written.
-void write_text_file(const std::filesystem::path&, const std::string&);
-void make_folder(const std::filesystem::path&);  // and its parents
-
 inline constexpr const char* kSettingsKey = "gbufferlab-settings";  // of the PNG text chunk
 
 }  // namespace gbl

@@ -1,10 +1,10 @@
 #include "renderer/study/study.h"
 
-#include <charconv>
 #include <chrono>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/number.h"
 #include "renderer/study/row_json.h"
 
 namespace gbl {
@@ -47,12 +47,11 @@ Shard parse_shard(std::string_view text) {
   const auto bad = [&](std::string_view what) {
     return Error(ExitCode::bad_input, "--shard", fmt::format("'{}' {}", text, what), "write i/n, e.g. 2/3");
   };
-  Shard shard;
-  const char* end = text.data() + text.size();
-  const auto i = std::from_chars(text.data(), end, shard.index);
-  const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
-  const auto n = slash ? std::from_chars(i.ptr + 1, end, shard.of) : i;
-  if (!slash || n.ec != std::errc() || n.ptr != end) throw bad("is not a shard");
+  const size_t slash = text.find('/');
+  if (slash == std::string_view::npos) throw bad("is not a shard");
+  const auto index = whole_decimal(text.substr(0, slash)), of = whole_decimal(text.substr(slash + 1));
+  if (!index || !of || *index < 0 || *of < 0) throw bad("is not a shard");
+  const Shard shard{static_cast<size_t>(*index), static_cast<size_t>(*of)};
   if (shard.index < 1) throw bad("counts from 0, and shards count from 1");
   if (shard.index > shard.of) throw bad("is beyond the last shard");
   return shard;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"

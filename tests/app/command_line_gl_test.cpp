@@ -49,6 +49,32 @@ TEST(CommandLine, WhatIsWrongIsNamed) {
   EXPECT_EQ(refused({"render", "--lights", "16384"}), "accepted");
 }
 
+// One rule for every number, and no value is ever taken as not given.
+TEST(CommandLine, NumbersAreDecimalsAndValuesAreNotEmpty) {
+  for (const char* text : {"010", "0x10", "1.5", "+8", " 8", "8 ", "", "1e2"})
+    EXPECT_NE(refused({"render", "--lights", text}).find("--lights"), std::string::npos) << text;
+  for (const char* text : {".5", "nan", "inf", "1e999", "0x1p3", ""})
+    EXPECT_NE(refused({"render", "--time", text}).find("--time"), std::string::npos) << text;
+  EXPECT_NE(refused({"render", "--camera", ".5,2,3:0,0"}).find("'.5' is not a number"), std::string::npos);
+  EXPECT_NE(refused({"render", "--camera", "nan,2,3:0,0"}).find("'nan' is not a number"), std::string::npos);
+  EXPECT_NE(refused({"render", "--size", "064x36"}).find("--size"), std::string::npos);
+  for (const char* option : {"--scene", "--preset", "--state", "--rig", "--set", "--without", "--only", "-o"})
+    EXPECT_NE(refused({"render", option, ""}).find("empty value"), std::string::npos) << option;
+  EXPECT_NE(refused({"study", ""}).find("empty value"), std::string::npos);
+  EXPECT_NE(refused({"render", "--set", "mistakes="}).find("mistakes=[]"), std::string::npos);
+  EXPECT_NE(refused({"list", "keys", "--md", "--json"}).find("--json"), std::string::npos);
+}
+
+TEST(CommandLine, ListsAreWrittenWithCommas) {
+  const auto mistakes = [](const char* text) {
+    return setup_of(parsed({"render", "--set", text})).settings.mistakes;
+  };
+  EXPECT_EQ(mistakes("mistakes=tbn-precedence"), mistakes("mistakes=[\"tbn-precedence\"]"));
+  EXPECT_EQ(mistakes("mistakes=tbn-precedence").size(), 1u);
+  EXPECT_EQ(setup_of(parsed({"render", "--set", "camera.position=1,-2.5,3"})).settings.camera.position,
+            glm::dvec3(1, -2.5, 3));
+}
+
 TEST(CommandLine, APixelOutsideThePictureIsRefusedWithTheBounds) {
   try {
     run_probe(parsed({"probe", "64", "0", "--size", "64x36"}));

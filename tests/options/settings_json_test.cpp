@@ -169,7 +169,7 @@ TEST(Assignment, ValueIsJsonOrElseText) {
   EXPECT_EQ(s.camera.position, glm::dvec3(1, 2, 3.5));
   EXPECT_EQ(s.lights.seed, 4294967295u);
   EXPECT_EQ(s.lights.rig, "a=b.json");
-  apply_assignment(s, "lights.rig=");
+  apply_assignment(s, "lights.rig=\"\"");
   apply_assignment(s, "shading.exponent=33");
   EXPECT_EQ(s.lights.rig, "");
   EXPECT_EQ(s.shading.exponent, 33);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <iterator>
 
+#include "renderer/base/files.h"
 #include "renderer/base/random.h"
 #include "tests/test_support.h"
 

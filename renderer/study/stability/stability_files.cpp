@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"

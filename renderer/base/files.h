@@ -1,0 +1,25 @@
+#pragma once
+// Files, whole or not at all: read with a bound, written by a temporary name. Error says which file and why.
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace gbl {
+
+// The largest text file that is read: a study of a hundred thousand rows has less.
+inline constexpr size_t kMostTextBytes = size_t(256) << 20;
+
+// Error(bad_input): cannot be read, is empty, or is longer than `most` (a device such as /dev/zero never ends).
+std::string read_text_file(const std::filesystem::path&, size_t most = kMostTextBytes);
+
+// Writes beside the target under a name that nobody else has, and renames once all of it is on disk: nobody ever sees
+// half a file, and of two programs that write the same one the last wins. Error(unfinished), and the old file stays.
+void write_file(const std::filesystem::path&, const std::function<void(std::FILE*)>& write);
+void write_text_file(const std::filesystem::path&, const std::string&);
+void make_folder(const std::filesystem::path&);  // and its parents
+
+// What was printed has arrived. Error(unfinished) if not: the disk is full, or nobody reads any more.
+void flush_output();
+
+}  // namespace gbl

@@ -1,0 +1,53 @@
+#include "renderer/base/number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace gbl {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Takes the digits at the front away; how many.
+size_t take_digits(std::string_view& text) {
+  const size_t count = static_cast<size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin());
+  text.remove_prefix(count);
+  return count;
+}
+
+bool take(std::string_view& text, std::string_view any_of) {
+  if (text.empty() || any_of.find(text[0]) == std::string_view::npos) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+// RFC 8259, section 6; `whole`: its integer part alone.
+bool is_decimal(std::string_view text, bool whole) {
+  take(text, "-");
+  const bool zero = !text.empty() && text[0] == '0';
+  const size_t digits = take_digits(text);
+  if (digits == 0 || (zero && digits > 1)) return false;
+  if (whole) return text.empty();
+  if (take(text, ".") && take_digits(text) == 0) return false;
+  if (take(text, "eE")) {
+    take(text, "+-");
+    if (take_digits(text) == 0) return false;
+  }
+  return text.empty();
+}
+
+template <class Value>
+std::optional<Value> read(std::string_view text, bool whole) {
+  Value value{};
+  const bool right =
+      is_decimal(text, whole) && std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+  return right ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> decimal(std::string_view text) { return read<double>(text, false); }
+std::optional<long long> whole_decimal(std::string_view text) { return read<long long>(text, true); }
+
+}  // namespace gbl
