@@ -9,7 +9,6 @@
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
-#include "renderer/picture/image.h"
 
 namespace gbl {
 namespace {

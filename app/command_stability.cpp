@@ -8,7 +8,6 @@
 #include "app/stability_bench.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
-#include "renderer/picture/image.h"
 #include "renderer/study/stability/stability_chart.h"
 #include "renderer/study/stability/stability_files.h"
 

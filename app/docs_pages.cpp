@@ -4,7 +4,6 @@
 
 #include "app/commands.h"
 #include "renderer/base/files.h"
-#include "renderer/picture/image.h"
 
 namespace gbl {
 namespace {

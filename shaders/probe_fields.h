@@ -17,4 +17,4 @@ PROBE_FIELD(diffuse_light, 3, light on a white surface, diffuse_light, stored_di
 PROBE_FIELD(specular_light, 3, radiance, specular_light, stored_specular_light())
 PROBE_FIELD(lit, 3, radiance, lit, texelFetch(lit, pixel, 0).rgb)
 PROBE_FIELD(lights, 1, lights in range that were shaded, lights_per_pixel, texelFetch(counts, pixel, 0).b)
-PROBE_FIELD(object, 1, number of the object from 1; 0: none, final, float(texelFetch(ids, pixel, 0).r))
+PROBE_FIELD(object, 1, number of the object from 1 or 0 for none, final, float(texelFetch(ids, pixel, 0).r))

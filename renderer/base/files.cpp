@@ -89,7 +89,13 @@ std::string read_text_file(const fs::path& path, size_t most) {
 
 void write_file(const fs::path& path, const std::function<void(std::FILE*)>& write) {
   TemporaryFile file(path);
-  write(file.get());
+  try {
+    write(file.get());
+  } catch (const Error&) {
+    throw;
+  } catch (const std::runtime_error& e) {  // of a library that encodes
+    cannot_write(path, e.what());
+  }
   file.keep();
 }
 

@@ -7,7 +7,7 @@
 
 namespace gbl {
 
-// The largest text file that is read: a study of a hundred thousand rows has less.
+// The largest text file that is read; those that this program writes are far smaller.
 inline constexpr size_t kMostTextBytes = size_t(256) << 20;
 
 // Error(bad_input): cannot be read, is empty, or is longer than `most` (a device such as /dev/zero never ends).

@@ -27,10 +27,10 @@ void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& ta
 
   ProbeReads& reads = targets.reads.probe;
   reads.pixel = pixel;
-  reads.values.start(canvas.texture);
   std::vector<const gl::Texture*> stored;
   for (const Attachment& a : targets.frame.attachments()) stored.push_back(targets.frame.texture(a.stores));
   reads.stored.start(stored, texel);
+  reads.values.start(canvas.texture);
 }
 
 std::optional<PixelProbe> Renderer::take_probe(Targets& targets, bool wait) {
@@ -38,7 +38,7 @@ std::optional<PixelProbe> Renderer::take_probe(Targets& targets, bool wait) {
   if (!values) return {};
   PixelProbe out{.pixel = targets.reads.probe.pixel};
   std::memcpy(out.values.data(), values->data(), sizeof out.values);
-  const auto bits = targets.reads.probe.stored.take(true);  // both were drawn before; it has come with the first
+  const auto bits = targets.reads.probe.stored.take(true);  // it was asked for first: it has come
   const std::vector<Attachment>& attachments = targets.frame.attachments();
   for (size_t i = 0; bits && i < bits->size(); ++i) out.stored.push_back({attachments[i], (*bits)[i]});
   return out;

@@ -1,12 +1,9 @@
 #include "renderer/picture/image.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <fmt/format.h>
-#include <fstream>
 #include <memory>
 #include <png.h>
 
@@ -89,14 +86,7 @@ Image image_from_gl_rows(glm::ivec2 size, std::vector<uint8_t> rgba) {
 }
 
 void write_png(const fs::path& path, const Image& image, const PngText& texts) {
-  write_file(path, [&](std::FILE* file) {
-    try {
-      encode_png(file, image, texts);
-    } catch (const std::runtime_error& e) {
-      throw Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", e.what()),
-                  "choose a folder that can be written and has room");
-    }
-  });
+  write_file(path, [&](std::FILE* file) { encode_png(file, image, texts); });
 }
 
 Image read_png(const fs::path& path) {

@@ -7,7 +7,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
-#include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
 #include "renderer/study/row_json.h"
 

@@ -36,8 +36,9 @@ std::string refused(const fs::path& path, size_t most = kMostTextBytes) {
 }
 
 TEST_F(TextFiles, WhatIsWrittenIsRead) {
-  write_text_file(folder_ / "a.txt", "one\ntwo\0three");
-  EXPECT_EQ(read_text_file(folder_ / "a.txt"), "one\ntwo\0three");
+  const std::string text("one\r\ntwo\0three", 14);  // a zero byte and line ends stay as they are
+  write_text_file(folder_ / "a.txt", text);
+  EXPECT_EQ(read_text_file(folder_ / "a.txt"), text);
   EXPECT_EQ(count(), 1u) << "a temporary file stayed";
 }
 
@@ -68,6 +69,13 @@ TEST_F(TextFiles, AFailedWriteKeepsTheOldFile) {
   const fs::path file = folder_ / "kept.txt";
   write_text_file(file, "old");
   EXPECT_THROW(write_file(file, [](std::FILE*) { throw Error(ExitCode::unfinished, "x", "y"); }), Error);
+  try {
+    write_file(file, [](std::FILE*) { throw std::runtime_error("a library's complaint"); });
+    FAIL() << "written";
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ExitCode::unfinished);
+    EXPECT_NE(std::string(e.what()).find("kept.txt: cannot be written: a library's complaint"), std::string::npos);
+  }
   EXPECT_EQ(read_text_file(file), "old");
   EXPECT_EQ(count(), 1u);
   EXPECT_THROW(write_text_file(folder_ / "no" / "folder.txt", "text"), Error);

@@ -6,7 +6,6 @@
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
-#include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
 #include "renderer/study/stability/stability_chart.h"
 
