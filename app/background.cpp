@@ -27,7 +27,7 @@ Settings as_measured(Settings s) {
 }
 
 void require_quick(const Settings& s, Lab& lab, const char* where, const char* fix) {
-  const Settings witness = witness_of(s, lab.device().features);
+  const Settings witness = witness_of(s);
   const double ms = std::max(lab.cost().predict_ms(*lab.resolve(s)), lab.cost().predict_ms(*lab.resolve(witness)));
   if (ms > kMostFrameMs)
     throw Error(ExitCode::unfinished, where,

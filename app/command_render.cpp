@@ -14,6 +14,7 @@
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
 #include "renderer/frame/packing_svg.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
@@ -125,7 +126,9 @@ ExitCode run_render(const Arguments& a) {
   const HeadlessContext context;
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
-  for (const std::string& w : lab.warnings()) fmt::print(stderr, "gbufferlab: {}: {}\n", s.scene, w);
+  if (scene)
+    for (const std::string& w : notes_of(*scene, s.lights.source))
+      fmt::print(stderr, "gbufferlab: {}: {}\n", s.scene, w);
   require_valid(s, lab.limits());
   const std::vector<View> shown = wanted_views(a, s);
   const fs::path folder = a.output.value_or("out");

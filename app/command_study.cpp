@@ -10,7 +10,7 @@
 #include "app/lab.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
-#include "renderer/scenes/scene_look.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/study/study.h"
 #include "renderer/study/study_files.h"
 

@@ -1,6 +1,6 @@
 #include "app/lab.h"
 
-#include "renderer/scenes/scene_look.h"
+#include "renderer/opening/scene_look.h"
 
 namespace gbl {
 

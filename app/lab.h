@@ -29,7 +29,6 @@ class Lab {
   std::shared_ptr<const GpuScene> gpu_scene() const { return gpu_scene_; }
   Renderer& renderer() { return renderer_; }
   Machine machine() const { return {device_.version, device_.renderer}; }
-  std::vector<std::string> warnings() const { return gpu_scene_ ? scene().warnings : std::vector<std::string>(); }
   FrameCost& cost() { return cost_; }
 
   void open(const std::string& name);  // nothing if it is open already; on an Error the old one stays

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
-#include "renderer/scenes/scene_look.h"
+#include "renderer/opening/scene_look.h"
 
 namespace gbl {
 

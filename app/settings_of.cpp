@@ -4,11 +4,12 @@
 #include "app/commands.h"
 #include "renderer/base/number.h"
 #include "renderer/base/size_text.h"
+#include "renderer/opening/exposure_meter.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
 #include "renderer/scenes/rig.h"
-#include "renderer/scenes/scene_look.h"
 
 namespace gbl {
 namespace {
@@ -44,7 +45,7 @@ void apply_camera(Settings& s, const std::string& text) {
   if (parts.size() < 3) return;
   const auto fov = numbers(parts[2], "--camera", kForm);
   if (fov.size() != 1) throw bad();
-  apply_patch(s, {{"camera.fov", fov[0]}}, "--camera");
+  apply_patch(s, {{"camera.fov", fov[0]}, {"camera.aspect", 0}}, "--camera");
 }
 
 void apply_size(Settings& s, const std::string& text) {
@@ -71,6 +72,7 @@ Setup setup_of(const Arguments& a) {
   if (a.scene) {
     setup.scene = open_scene(*a.scene);
     apply_scene(s, *a.scene, *setup.scene);
+    if (!a.preset && !a.state) apply_drawing(s, *a.scene);
   }
   if (a.camera) apply_camera(s, *a.camera);
   if (a.lights) {
@@ -84,6 +86,8 @@ Setup setup_of(const Arguments& a) {
   if (a.seed) s.lights.seed = *a.seed;
   if (a.size) apply_size(s, *a.size);
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time");
+  // A file's exposure is metered from its own camera with its own lights: with others it is metered anew.
+  if (setup.scene && is_file(s.scene) && !a.state && (a.camera || a.lights || a.rig)) meter(s, *setup.scene);
   for (const std::string& assignment : a.set) apply_assignment(s, assignment);
   if (s.scene != a.scene) setup.scene.reset();
   return setup;

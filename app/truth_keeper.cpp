@@ -8,7 +8,7 @@ namespace gbl {
 
 std::shared_ptr<const TruthSet> TruthKeeper::get(Renderer& renderer, const GpuScene& scene, const Settings& s,
                                                  bool wait) {
-  const Settings wanted = witness_of(s, gl::device().features);
+  const Settings wanted = witness_of(s);
   const auto found =
       std::find_if(sets_.begin(), sets_.end(), [&](const auto& set) { return same_truth(set->settings, wanted); });
   if (found != sets_.end()) {

@@ -35,15 +35,17 @@ Settings Viewer::affordable(const Settings& s, bool moving) {
   return out;
 }
 
-void Viewer::arrive(bool wait) {
+void Viewer::arrive(bool wait, LightSource lights) {
   try {
     if (auto scene = loader_.take(wait)) {
+      const bool dropped = loader_.name() == dropped_;
       message_ = fmt::format("{}: {} objects", loader_.name(), scene->instances.size());
-      for (const std::string& w : scene->warnings) message_ += "; " + w;
-      if (scene->warnings.empty() && loader_.name() != dropped_) message_.clear();
+      const std::vector<std::string> notes = notes_of(*scene, dropped ? LightSource::scene : lights);
+      for (const std::string& note : notes) message_ += "; " + note;
+      if (notes.empty() && !dropped) message_.clear();
       lab_.show(loader_.name(), std::move(scene));
       asked_.reset();
-      if (loader_.name() == dropped_) opened_ = std::exchange(dropped_, "");
+      if (dropped) opened_ = std::exchange(dropped_, "");
     }
   } catch (const Error& e) {
     if (e.code() != ExitCode::interrupted) message_ = e.what();
@@ -54,15 +56,12 @@ void Viewer::arrive(bool wait) {
 
 std::optional<Settings> Viewer::take_opened(const Settings& s) {
   if (opened_.empty()) return {};
-  Settings out = s;
-  reset_look(out);
-  apply_scene(out, std::exchange(opened_, ""), lab_.scene());
-  return out;
+  return moved_to(s, std::exchange(opened_, ""), lab_.scene());
 }
 
 // Is the scene that these settings name the one on the GPU? Else sees to it that it will be.
 bool Viewer::scene_ready(const Settings& s) {
-  arrive(false);
+  arrive(false, s.lights.source);
   if (s.scene == lab_.scene_name()) {
     refused_.clear();
     return true;

@@ -31,7 +31,7 @@ class Viewer {
   // Once: the settings with the dropped scene, when it has been read.
   std::optional<Settings> take_opened(const Settings&);
   void finish_loading() {
-    while (loader_.loading()) arrive(true);
+    while (loader_.loading()) arrive(true, LightSource::scene);
   }  // for tests and the first frame
   void say(std::string message) { message_ = std::move(message); }
 
@@ -42,7 +42,7 @@ class Viewer {
   bool drawing() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
   bool measures_more() const;
   bool scene_ready(const Settings&);
-  void arrive(bool wait);
+  void arrive(bool wait, LightSource lights);  // lights: those shown in the scene, unless it was dropped
   void draw_frame(const Settings&, bool moving);
   void draw_truth(const Settings&, const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);

@@ -28,9 +28,9 @@ float error_at(ivec2 texel) {
 #elif ERROR_OF == ERROR_LIT
   return largest(texelFetch(lit, texel, 0).rgb - truth.rgb);
 #elif ERROR_OF == ERROR_DIFFUSE_LIGHT && SPLIT
-  return largest(texelFetch(light_diffuse, texel, 0).rgb - truth.rgb);
+  return largest(texelFetch(light_diffuse, texel, 0).rgb * light_scale.y - truth.rgb);
 #elif ERROR_OF == ERROR_SPECULAR_LIGHT && SPLIT
-  return largest(texelFetch(light_specular, texel, 0).rgb - truth.rgb);
+  return largest(texelFetch(light_specular, texel, 0).rgb * light_scale.y - truth.rgb);
 #elif ERROR_OF == ERROR_DEPTH
   return range_from_depth(read_depth(texel)) - dot(truth.xyz, ray_forward.xyz);
 #elif ERROR_OF == ERROR_POSITION

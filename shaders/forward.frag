@@ -18,13 +18,14 @@ void main() {
   radiance = vec4(counts, 0.0);
 #else
   Surface s = material_surface(base);
-  vec3 sum = ambient_share * (shading.z * s.ambient + s.emissive);
+  vec3 sum = vec3(0.0);
 #if !UNLIT
   for (int i = light_span.x; i < light_span.y; ++i) {
     Lighting one = shade(s, read_light(i));
     sum += s.albedo * one.diffuse + one.specular;
   }
 #endif
+  sum = ambient_share * (shading.z * s.ambient + s.emissive) + sum * light_scale.y;
 #if BLENDED
   radiance = vec4(sum, base.a);
 #else

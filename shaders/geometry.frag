@@ -59,6 +59,6 @@ void main() {
   out_position = pack_position(s.position);
 #endif
 #ifdef STORED_LIGHT
-  out_light = vec4(shading.z * s.ambient + s.emissive, 0.0);
+  out_light = vec4((shading.z * s.ambient + s.emissive) * light_scale.x, 0.0);
 #endif
 }

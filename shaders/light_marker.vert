@@ -9,9 +9,9 @@ void main() {
   Light light = read_light(gl_InstanceID);
   int corner = kCorners[gl_VertexID];
   vec3 offset = vec3(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1) - 0.5;
-  gl_Position = clip_from_relative * vec4(light.position + offset * (0.05 * light.profile), 1.0);
+  gl_Position = clip_from_relative * vec4(light.position + offset * (0.05 * min(light.profile, light.range)), 1.0);
 #if LIGHT_KINDS
   if (light.kind == LIGHT_DIRECTIONAL) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // it stands nowhere
 #endif
-  colour = light.colour;
+  colour = light.colour * light_scale.y;
 }

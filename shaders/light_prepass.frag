@@ -13,5 +13,5 @@ void main() {
   Surface s = material_surface(base);
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec3 light = s.albedo * texelFetch(light_diffuse, texel, 0).rgb + texelFetch(light_specular, texel, 0).rgb;
-  lit = vec4(shading.z * s.ambient + s.emissive + light, 1.0);
+  lit = vec4(shading.z * s.ambient + s.emissive + light * light_scale.y, 1.0);
 }

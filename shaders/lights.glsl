@@ -5,7 +5,7 @@ struct Light {
   vec3 position;  // relative to the camera, world axes
   float range;    // no light at or beyond it
   float profile;  // the range that the falloff is a function of
-  vec3 colour;
+  vec3 colour;    // times light_scale.x
 #if LIGHT_KINDS
   int kind;
   vec3 direction;  // unit, from the light

@@ -55,9 +55,9 @@ mat3 tangent_frame(vec3 n, float side) {
   vec2 uv = uv_of(NORMAL_MAP_);
   vec3 across = cross(dFdy(relative), n), down = cross(n, dFdx(relative));
   vec2 du = vec2(dFdx(uv.x), dFdy(uv.x)), dv = vec2(dFdx(uv.y), dFdy(uv.y));
-  vec3 t = across * du.x + down * du.y, b = across * dv.x + down * dv.y;
-  float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
-  return mat3(t * scale, -b * scale, n);  // v runs downwards, +Y of the map upwards
+  vec3 t = unit_or_zero(across * du.x + down * du.y), b = unit_or_zero(across * dv.x + down * dv.y);
+  // v runs downwards, +Y of the map upwards. On a back face the frame is turned with the normal, as glTF asks.
+  return mat3(t * side, -b * side, n);
 #endif
 }
 
@@ -94,8 +94,8 @@ Surface material_surface(vec4 base) {
   s.emissive = texture(emissive_map, uv_of(EMISSIVE_MAP)).rgb * emissive;
   s.occlusion = 1.0 + factors.w * (texture(occlusion_map, uv_of(OCCLUSION_MAP)).r - 1.0);
 #if UNLIT && EMISSION_KEPT
-  // Shown as it is: nothing reflects, the colour itself shines. A layout without emission lights it instead.
-  s.emissive = base.rgb;
+  // Shown as it is, whatever the exposure: nothing reflects, the colour itself shines. A layout without emission lights it instead.
+  s.emissive = base.rgb / shading.w;
   s.albedo = vec3(0.0);
   s.f0 = vec3(0.0);
   s.metal = 1.0;  // a black metal: no dielectric highlight either

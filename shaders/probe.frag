@@ -8,8 +8,8 @@ uniform usampler2D ids;
 #if SPLIT
 uniform sampler2D light_diffuse;
 uniform sampler2D light_specular;
-vec3 stored_diffuse_light() { return texelFetch(light_diffuse, pixel, 0).rgb; }
-vec3 stored_specular_light() { return texelFetch(light_specular, pixel, 0).rgb; }
+vec3 stored_diffuse_light() { return texelFetch(light_diffuse, pixel, 0).rgb * light_scale.y; }
+vec3 stored_specular_light() { return texelFetch(light_specular, pixel, 0).rgb * light_scale.y; }
 #else
 vec3 stored_diffuse_light() { return vec3(0.0); }
 vec3 stored_specular_light() { return vec3(0.0); }

@@ -10,6 +10,11 @@ struct Lighting {
 };
 
 const float kPi = 3.14159265358979;
+#if ATTENUATION == ATTENUATION_GLTF
+const float kLeastSpotEdge = 1e-3;  // KHR_lights_punctual, "Inner and Outer Cone Angles"
+#else
+const float kLeastSpotEdge = 1e-4;
+#endif
 
 // `range` is the light's own, whatever range.kind makes of its end.
 float attenuation(float d, float range) {
@@ -24,6 +29,10 @@ float attenuation(float d, float range) {
   return 1.0 / max(1.0, 0.2 + 0.4 * x + 0.4 * x * x);
 #elif ATTENUATION == ATTENUATION_INVERSE_LINEAR
   return 1.0 / (1.0 + 9.0 * d / range);
+#elif ATTENUATION == ATTENUATION_GLTF
+  // KHR_lights_punctual, "Range Property"; nearer than 0.1 mm it stops growing.
+  float x = d / range;
+  return clamp(1.0 - x * x * x * x, 0.0, 1.0) / max(d * d, 1e-8);
 #else
   // Karis 2013, "Real Shading in Unreal Engine 4"; nearer than 1 cm it stops growing, or a pixel on a lamp overflows.
   float x = d / range;
@@ -111,7 +120,7 @@ Lighting shade(Surface s, Light light) {
 #if SPOT_COS_POWER
       strength *= pow(max(dot(-to_light, light.direction), 0.0), light.inner_cos);
 #else
-      float edge = clamp((dot(-to_light, light.direction) - light.outer_cos) / max(light.inner_cos - light.outer_cos, 1e-4), 0.0, 1.0);
+      float edge = clamp((dot(-to_light, light.direction) - light.outer_cos) / max(light.inner_cos - light.outer_cos, kLeastSpotEdge), 0.0, 1.0);
       strength *= edge * edge;
 #endif
     }

@@ -57,6 +57,7 @@ GBL_BLOCK(FrameBlock) {
   vec4 background;           // linear colour
   vec4 shading;              // exponent (-1: from roughness), specular factor, ambient, exposure
   vec4 view_range;           // depth view: from, to in world units; position view: units of a colour cycle
+  vec4 light_scale;          // what light sums are stored times, 1 over it: powers of two (resolved_frame.h)
   ivec4 lights;              // count, -, -, -
 };
 

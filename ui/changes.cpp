@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/frame_lights.h"
 #include "renderer/frame/validate.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
@@ -26,12 +27,28 @@ int next_power(int n, int step, int max) {
   return p;
 }
 
+// From lights that a scene or a rig brings, the number of generated ones goes on from theirs.
+void go_on_from(FrameContext& f, const Option& o, Settings& s) {
+  if (o.implies && s.lights.source != LightSource::generated)
+    s.lights.count = static_cast<int>(all_lights_of(s, f.input.scene).size());
+}
+
+// What a number of generated lights takes the place of is said.
+void say_step(FrameContext& f, const Option& o, const Settings& before) {
+  Sentence sentence = describe_step(o, before, f.settings);
+  if (before.lights.source != f.settings.lights.source && o.implies)
+    sentence.text = fmt::format("{} generated lights instead of {}. {} brings those back.", f.settings.lights.count,
+                                row(before.lights.source).label, option("lights.source").label);
+  say(f, std::move(sentence));
+}
+
 // Shared by all ways to change settings: all or nothing, and an Error is shown, never thrown into the window.
 bool try_change(FrameContext& f, const std::function<void(Settings&)>& change) {
   Settings changed = f.settings;
   try {
     change(changed);
-    if (changed.lights.only >= changed.lights.count && f.settings.lights.only >= 0)
+    if (changed.lights.only >= 0 &&
+        changed.lights.only >= static_cast<int>(all_lights_of(changed, f.input.scene).size()))
       changed.lights.only = -1;  // it is gone
     require_valid(changed, {f.input.features});
   } catch (const Error& e) {
@@ -72,7 +89,7 @@ void edit_option(FrameContext& f, const Option& o, const OptionValue& value) {
     if (o.implies) o.implies(s);
   });
   if (!done) return;
-  if (o.get(before) != o.get(f.settings)) say(f, describe_step(o, before, f.settings));
+  if (o.get(before) != o.get(f.settings)) say_step(f, o, before);
 }
 
 void edit_option_as_typed(FrameContext& f, const Option& o, const std::string& text) {
@@ -86,13 +103,14 @@ void edit_option_as_typed(FrameContext& f, const Option& o, const std::string& t
 void step_option(FrameContext& f, const Option& o, int step) {
   const Settings before = f.settings;
   const bool done = try_change(f, [&](Settings& s) {
+    go_on_from(f, o, s);
     if (o.kind == Kind::choice)
       step_choice(o, s, step, f.input.features);
     else if (o.kind == Kind::integer)
       o.set(s, next_power(static_cast<int>(std::get<Number>(o.get(s)).value), step, static_cast<int>(o.max)), o);
     if (o.implies) o.implies(s);
   });
-  if (done) say(f, describe_step(o, before, f.settings));
+  if (done) say_step(f, o, before);
 }
 
 void choose_preset(FrameContext& f, int index) {

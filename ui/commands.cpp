@@ -5,6 +5,7 @@
 
 #include "renderer/frame/frame_lights.h"
 #include "renderer/frame/validate.h"
+#include "renderer/opening/exposure_meter.h"
 #include "renderer/options/presets.h"
 #include "ui/camera_motion.h"
 #include "ui/state.h"
@@ -20,10 +21,7 @@ std::string light_sentence(const FrameContext& f, int index, const Light& light)
                      static_cast<int>(light.position.y), light.range, distance < 1 ? "inside" : "outside", distance);
 }
 
-int light_total(const FrameContext& f) {
-  const Settings::Lights& l = f.settings.lights;
-  return l.first >= 0 ? std::min(l.first, l.count) : l.count;
-}
+int light_total(const FrameContext& f) { return static_cast<int>(all_lights_of(f.settings, f.input.scene).size()); }
 
 // The light of that index of these settings, even while another one is alone.
 std::optional<Light> light_at(const FrameContext& f, int index) {
@@ -100,6 +98,17 @@ void pick_light(FrameContext& f, const KeyEvent& e) {
 void toggle_time(FrameContext& f, const KeyEvent&) {
   f.state.playing = !f.state.playing;
   say(f, {f.state.playing ? "The lights move: time runs." : fmt::format("Paused at t = {:.2f} s.", f.settings.time_s),
+          ""});
+}
+
+void meter_light(FrameContext& f, const KeyEvent&) {
+  if (!meter(f.settings, f.input.scene)) {
+    f.state.notice = "no light reaches a surface that is seen: there is nothing to meter";
+    return;
+  }
+  say(f, {fmt::format(
+              "Exposure {:.3g}, metered on the surfaces that are seen; ambient light and backdrop keep their share.",
+              f.settings.exposure),
           ""});
 }
 

@@ -16,6 +16,7 @@ void pick_object(FrameContext&, const KeyEvent&);
 void show_error(FrameContext&, const KeyEvent&);
 void go_to_worst(FrameContext&, const KeyEvent&);
 void reveal_answer(FrameContext&, const KeyEvent&);
+void meter_light(FrameContext&, const KeyEvent&);
 void toggle_time(FrameContext&, const KeyEvent&);
 void toggle_hidden(FrameContext&, const KeyEvent&);
 void reload_shaders(FrameContext&, const KeyEvent&);

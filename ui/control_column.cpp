@@ -128,7 +128,8 @@ void choice_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z, 
 void lights_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
   const Option& o = option("lights.count");
   const Box box = begin_row(f, column, at, z, o.key, o.label);
-  int count = f.settings.lights.count;
+  const bool generated = f.settings.lights.source == LightSource::generated;
+  int count = generated ? f.settings.lights.count : f.input.report.light_total;
   const float number = text_size("16 384 ", z.px).x;  // beside the slider: its grab would hide it
   const std::string text = grouped(static_cast<uint64_t>(count));
   f.painter.text({box.max.x - text_size(text, z.px).x, box.min.y + (z.widget - z.px) / 2}, z.px, kText, text);

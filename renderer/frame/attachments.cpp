@@ -37,7 +37,8 @@ Format format_of(DepthFormat f) {
     case DepthFormat::d16: return Format::d16;
     case DepthFormat::d24: return Format::d24;
     case DepthFormat::d32f:
-    case DepthFormat::d32f_reversed: break;
+    case DepthFormat::d32f_reversed:
+    case DepthFormat::auto_: break;  // either of the two above
   }
   return Format::d32f;
 }

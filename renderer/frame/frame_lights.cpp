@@ -21,9 +21,23 @@ std::vector<Light> from_source(const Settings& s, const Scene& scene) {
 
 double brightest(const Light& l) { return std::max({l.colour.x, l.colour.y, l.colour.z}); }
 
+// Where its radiance on white falls to 1/255 of the display's white: by its own falloff x + y d + z d^2, else by the
+// inverse square. Endless where it never gets there.
+double faint_at(const Light& l, double exposure) {
+  const glm::dvec3 k = l.coefficients == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : l.coefficients;
+  const double rest = 255 * exposure * brightest(l) - k.x;
+  if (rest <= 0) return 0;
+  if (k.z > 0) return 2 * rest / (k.y + std::sqrt(k.y * k.y + 4 * k.z * rest));
+  return k.y > 0 ? rest / k.y : kEndless;
+}
+
 // Where the light ends, by range.kind; its falloff stays a function of the range that it came with.
 void set_range(Light& l, const Settings& s) {
-  l.profile_range = l.range;
+  const bool stated = !l.ends_faint;
+  if (!stated) l.range = faint_at(l, s.exposure);
+  if (l.range < kEndless) l.range *= s.lights.range_scale;
+  // Of an inverse square without a stated range nothing is taken away before its end.
+  l.profile_range = !stated && s.attenuation == Attenuation::gltf ? kEndless : l.range;
   if (l.kind == LightKind::directional) return;
   if (s.range.kind == RangeKind::none) l.range = kEndless;
   if (s.range.kind != RangeKind::threshold || l.coefficients != glm::dvec3(0)) return;
@@ -52,23 +66,26 @@ void require_finite(const std::vector<Light>& lights) {
 
 }  // namespace
 
-std::vector<Light> lights_of(const Settings& s, const Scene& scene) {
+std::vector<Light> all_lights_of(const Settings& s, const Scene& scene) {
   std::vector<Light> lights = from_source(s, scene);
   // An inverse square of unit intensity is dark a few units away: generated lights are made bright for their range.
-  if (s.attenuation == Attenuation::windowed && s.lights.source == LightSource::generated)
+  const bool inverse_square = s.attenuation == Attenuation::windowed || s.attenuation == Attenuation::gltf;
+  if (inverse_square && s.lights.source == LightSource::generated)
     for (Light& l : lights) l.colour *= l.range * l.range / 16;
   for (Light& l : lights) {
-    if (l.range < kEndless) l.range *= s.lights.range_scale;
     set_range(l, s);
     if (l.kind == LightKind::spot && s.lights.spot == LightSpot::cos_power) open_cone(l);
   }
   require_finite(lights);
   if (s.lights.first >= 0) lights.resize(std::min<size_t>(lights.size(), s.lights.first));
-  if (s.lights.only >= 0) {
-    if (s.lights.only >= static_cast<int>(lights.size())) return {};
-    lights = {lights[s.lights.only]};
-  }
   return lights;
+}
+
+std::vector<Light> lights_of(const Settings& s, const Scene& scene) {
+  std::vector<Light> lights = all_lights_of(s, scene);
+  if (s.lights.only < 0) return lights;
+  if (s.lights.only >= static_cast<int>(lights.size())) return {};
+  return {lights[static_cast<size_t>(s.lights.only)]};
 }
 
 }  // namespace gbl

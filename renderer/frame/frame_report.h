@@ -31,6 +31,7 @@ struct FrameReport {
   int accumulation_bytes_per_pixel = 0;
   double mib = 0;                    // of all targets of the frame
   int light_count = 0;               // lights drawn
+  int light_total = 0;               // those there are: lights.only draws one of them
   Settings drawn;                    // the settings with nothing left to choose (renderer/frame/resolve.h)
   std::vector<std::string> choices;  // what was chosen for `auto` and why
   std::string method_reason;         // why lights.method=auto chose `drawn`'s; empty if it was asked for by name

@@ -1,5 +1,6 @@
 #include "renderer/frame/resolve.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "renderer/gbuffer/layouts.h"
@@ -10,6 +11,19 @@ namespace {
 void append(std::vector<std::string>& to, std::vector<std::string> more) {
   for (std::string& m : more) to.push_back(std::move(m));
 }
+
+bool has_unlit(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.unlit && m.alpha_mode != AlphaMode::blend; });
+}
+
+// Of the scene's box along the view axis; negative: behind the camera.
+double nearest_of(const Bounds& bounds, const Camera& c) {
+  const glm::dvec3 forward = c.forward(), half = bounds.extent() / 2.0;
+  return glm::dot(bounds.centre() - c.position, forward) - glm::dot(half, glm::abs(forward));
+}
+
+constexpr double kBeforeScene = 0.999;  // of the distance: rounding must not cut the nearest corner off
 
 }  // namespace
 
@@ -54,7 +68,26 @@ Resolved resolve(const Settings& s, const Scene& scene) {
     else if (next->when == MaterialHas::emission && needs.emission)
       choose(next->layout, ", since a material shines");
   }
+  const LayoutRow& stored = facts(out.settings.layout);
+  if (!stored.keeps_emission && shading_of(s.lights.method) != Shading::forward && has_unlit(scene))
+    out.notes.push_back(
+        fmt::format("unlit surfaces are lit like others: the {} layout stores no emission", stored.axis.id));
   return out;
+}
+
+void choose_depth(Resolved& r, const Scene& scene, FeatureSet features) {
+  Settings& s = r.settings;
+  if (s.depth.format != DepthFormat::auto_) return;
+  const bool reversed = features.has(Feature::clip_control);
+  s.depth.format = reversed ? DepthFormat::d32f_reversed : DepthFormat::d32f;
+  std::string note = fmt::format("depth: {}", row(s.depth.format).label);
+  const double before = kBeforeScene * nearest_of(scene.bounds, s.camera);
+  const bool scene_is_all = s.lights.markers == LightMarkers::off;  // the cubes may stand outside of it
+  if (!reversed && scene_is_all && before > s.camera.near && before < s.camera.far) {
+    note += fmt::format(", near plane {:.3g} instead of {:.3g}: the scene begins there", before, s.camera.near);
+    s.camera.near = before;
+  }
+  r.notes.push_back(std::move(note));
 }
 
 }  // namespace gbl

@@ -23,9 +23,13 @@ struct LayoutChoice {
 LayoutChoice choose_layout(const MaterialNeeds&);
 
 struct Resolved {
-  Settings settings;               // with nothing left to choose
+  Settings settings;               // with no layout left to choose
   std::vector<std::string> notes;  // what was chosen and why, a sentence each
 };
 Resolved resolve(const Settings&, const Scene&);
+
+// depth.format=auto becomes what this device has; what was chosen is noted. Where depth cannot be reversed the near
+// plane moves out to just before the scene: nothing that is drawn lies nearer, and depth's steps grow with 1/near.
+void choose_depth(Resolved&, const Scene&, FeatureSet);
 
 }  // namespace gbl

@@ -1,6 +1,8 @@
 #include "renderer/frame/resolved_frame.h"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
 #include "renderer/frame/estimate.h"
 #include "renderer/frame/frame_lights.h"
@@ -43,17 +45,40 @@ void take_camera(ResolvedFrame& f) {
   f.clip_from_relative = clip_from_relative(s.camera, f.aspect, f.depth_runs);
 }
 
+// Half floats end at 65504, a sunlit wall's radiance lies above that, and at 10^-8 they have no digits left. Where the
+// exposure says that radiance is so far from the display's range, sums are stored in its units; a power of two changes
+// no other bit. (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", section 5.1.2, pre-exposure.)
+double light_sum_scale(double exposure) {
+  constexpr double kAsItIs = 256;
+  return exposure >= 1 / kAsItIs && exposure <= kAsItIs ? 1 : std::exp2(std::round(std::log2(exposure)));
+}
+
 Settings without_view(Settings s) {
   s.view = {};
   return s;
+}
+
+void take_only(ResolvedFrame& f) {
+  const int only = f.settings.lights.only;
+  if (only < 0) return;
+  if (only < f.light_total) {
+    f.lights = {f.lights[static_cast<size_t>(only)]};
+    return;
+  }
+  f.lights.clear();
+  f.choices.push_back(
+      fmt::format("no light is drawn: lights.only is {}, and there are {} lights", only, f.light_total));
 }
 
 }  // namespace
 
 ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet features) {
   Resolved resolved = resolve(s, scene);
+  choose_depth(resolved, scene, features);
   ResolvedFrame f{.settings = without_view(std::move(resolved.settings)), .choices = std::move(resolved.notes)};
-  f.lights = lights_of(s, scene);
+  f.lights = all_lights_of(s, scene);
+  f.light_total = static_cast<int>(f.lights.size());
+  take_only(f);
   f.light_kinds = !std::all_of(f.lights.begin(), f.lights.end(), plain_point);
   MethodChoice choice = choose_method(f.settings, f.lights, features);
   f.settings.lights.method = choice.method;
@@ -61,6 +86,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   f.light_work = estimate_work(f.settings, f.lights);
   take_attachments(f);
   take_camera(f);
+  f.light_sum_scale = light_sum_scale(f.settings.exposure);
   f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;
   return f;
 }

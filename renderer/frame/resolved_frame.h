@@ -16,6 +16,7 @@ struct ResolvedFrame {
   std::string method_reason;         // why lights.method=auto chose the method; empty if it was asked for by name
 
   std::vector<Light> lights;
+  int light_total = 0;       // of which lights.only chose one
   bool light_kinds = false;  // is any light other than a plain point light?
   double light_work = 0;     // of the lighting pass, in turns of the full-screen loop (renderer/frame/estimate.h)
 
@@ -31,6 +32,8 @@ struct ResolvedFrame {
   bool multisampled = false;
   double volume_depth_step = 0;   // window depth that rounding can hide between a surface and a volume's face
   bool transparent_pass = false;  // something is drawn forward after the lighting
+
+  double light_sum_scale = 1;  // light sums are stored times this power of two
 
   double aspect = 1;  // width over height
   DepthRuns depth_runs = DepthRuns::standard;

@@ -29,6 +29,7 @@ constexpr ValueRow kDepthFormat[] = {
   {.value = at(DepthFormat::d24), .id = "d24", .label = "D24", .help = "24-bit fixed point, stored in 32", .cost = "4 B/px"},
   {.value = at(DepthFormat::d32f), .id = "d32f", .label = "D32F", .help = "32-bit float; no better than D24 unless reversed", .cost = "4 B/px"},
   {.value = at(DepthFormat::d32f_reversed), .id = "d32f-reversed", .label = "D32F reversed", .help = "1 near, 0 far, clip depth 0..1: the float's fine steps near 0 meet the far end's coarse depths", .cost = "4 B/px", .source = "Reed 2015, Depth Precision Visualized", .needs = Feature::clip_control},
+  {.value = at(DepthFormat::auto_), .id = "auto", .label = "auto", .help = "D32F reversed; on a driver without clip control D32F, with the near plane moved out to the scene", .cost = "4 B/px"},
 };
 // clang-format on
 

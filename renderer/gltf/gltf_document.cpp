@@ -172,18 +172,23 @@ TextureSource texture_of(const tinygltf::Texture& from, const tinygltf::Model& m
   return to;
 }
 
+// A camera's frame is what its author wants to be seen (specification 3.10.3); one of no sensible shape asks nothing.
+double wholly_shown(double aspect) { return aspect > 0 && aspect <= 1000 ? aspect : 0; }
+
 CameraSource camera_of(const tinygltf::Camera& from) {
   CameraSource to;
   if (from.type == "perspective") {
     const auto& p = from.perspective;
     to.endless = p.zfar == 0;
     to.camera.fov = glm::degrees(p.yfov);
+    to.camera.aspect = wholly_shown(p.aspectRatio);
     to.camera.near = p.znear;
     to.camera.far = to.endless ? p.znear * kGltfFarOfEndlessCamera : p.zfar;
     to.usable = p.yfov > 0 && to.camera.fov < 179.9 && p.znear > 0;
   } else {
     const auto& o = from.orthographic;
     to.camera.orthographic_height = 2 * std::abs(o.ymag);
+    to.camera.aspect = wholly_shown(std::abs(o.xmag / o.ymag));
     // The specification allows a near of 0; ours lies in front of the camera.
     to.camera.near = glm::max(o.znear, o.zfar * 1e-6);
     to.camera.far = o.zfar;
@@ -201,6 +206,7 @@ LightSource light_of(const tinygltf::Light& from) {
   light.kind = from.type == "spot" ? LightKind::spot : from.type == "point" ? LightKind::point : LightKind::directional;
   light.colour = (from.color.size() == 3 ? glm::make_vec3(from.color.data()) : glm::dvec3(1)) * from.intensity;
   light.range = from.range > 0 && light.kind != LightKind::directional ? from.range : kEndless;
+  light.ends_faint = light.range >= kEndless && light.kind != LightKind::directional;
   light.direction = {0, 0, -1};
   const double outer = glm::clamp(from.spot.outerConeAngle, 0.0, glm::radians(90.0));
   const double inner = glm::clamp(from.spot.innerConeAngle, 0.0, outer);

@@ -1,8 +1,10 @@
 #include "renderer/gltf/gltf_instances.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
+#include <glm/gtc/matrix_transform.hpp>
+#include <span>
 
 #include "renderer/gltf/gltf_limits.h"
 
@@ -11,7 +13,28 @@ namespace {
 
 struct Built {
   int mesh = 0, material = 0;
+  glm::dvec3 origin{0};  // in the mesh's own space: where the origin of its vertices has been moved
 };
+
+bool is_points_or_lines(const Primitive& primitive) { return primitive.mode >= 0 && primitive.mode <= 3; }
+
+// Vertices far from their own origin lose digits as soon as they are turned: at 1e6, 6 cm. Along each axis on which
+// they stand farther off than they are wide, they are moved to the origin; there the subtraction of floats is exact
+// (Sterbenz 1974, "Floating-Point Computation"), and instances move them back in double.
+glm::dvec3 move_to_origin(std::span<Mesh> parts) {
+  glm::vec3 low(INFINITY), high(-INFINITY);
+  for (const Mesh& mesh : parts)
+    for (const Vertex& v : mesh.vertices) low = glm::min(low, v.position), high = glm::max(high, v.position);
+  glm::vec3 origin(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const float middle = low[axis] / 2 + high[axis] / 2;
+    if (std::abs(middle) > high[axis] - low[axis]) origin[axis] = middle;
+  }
+  if (origin == glm::vec3(0)) return glm::dvec3(0);
+  for (Mesh& mesh : parts)
+    for (Vertex& v : mesh.vertices) v.position -= origin;
+  return glm::dvec3(origin);
+}
 
 class Builder {
  public:
@@ -45,6 +68,7 @@ class Builder {
         for (int e = 0; skin.inverse_bind >= 0 && e < 16; ++e) matrices[j][e / 4][e % 4] = bind[j][e];
         matrices[j] = joint->world_from_node * matrices[j];
       }
+      job_.note("skinned meshes are shown in their rest pose");
     } catch (const Broken& broken) {
       job_.note(fmt::format("skins[{}]: {}; its meshes are shown as they lie", index, broken.what()));
       return {};
@@ -53,9 +77,10 @@ class Builder {
   }
 
   void build(const MeshSource& source, const JointMatrices& joints, std::vector<Built>& parts) {
+    const size_t first = scene_.meshes.size();
     for (size_t i = 0; i < source.primitives.size(); ++i) {
       const Primitive& primitive = source.primitives[i];
-      if (primitive.mode >= 0 && primitive.mode <= 3) {
+      if (is_points_or_lines(primitive)) {
         job_.note("points and lines are not drawn");
         continue;
       }
@@ -71,6 +96,8 @@ class Builder {
         job_.note(fmt::format("mesh '{}', primitive {}: {}; not drawn", source.name, i, broken.what()));
       }
     }
+    const glm::dvec3 origin = move_to_origin(std::span(scene_.meshes).subspan(first));
+    for (Built& part : parts) part.origin = origin;
   }
 
   void count(const Mesh& mesh) {
@@ -96,16 +123,6 @@ bool flattens(const glm::dmat4& m) {
   return !(volume > 1e-12 * edges);
 }
 
-Bounds empty_bounds() {
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  return {glm::dvec3(kInf), glm::dvec3(-kInf)};
-}
-
-void include(Bounds& bounds, const glm::dvec3& p) {
-  bounds.min = glm::min(bounds.min, p);
-  bounds.max = glm::max(bounds.max, p);
-}
-
 }  // namespace
 
 void add_instances(const Document& document, const std::vector<PlacedNode>& placed, Materials& materials, Scene& scene,
@@ -123,8 +140,8 @@ void add_instances(const Document& document, const std::vector<PlacedNode>& plac
     }
     for (const Built& part : builder.parts(node.mesh, posed ? node.skin : -1)) {
       drawn += scene.meshes[static_cast<size_t>(part.mesh)].indices.size() / 3;
-      scene.instances.push_back(
-          {node.name, part.mesh, part.material, posed ? glm::dmat4(1) : placed[i].world_from_node});
+      const glm::dmat4 world_from_mesh = posed ? glm::dmat4(1) : placed[i].world_from_node;
+      scene.instances.push_back({node.name, part.mesh, part.material, glm::translate(world_from_mesh, part.origin)});
     }
     if (scene.instances.size() > kMaxInstances)
       job.refuse_limit("placed primitives", scene.instances.size(), kMaxInstances);
@@ -132,26 +149,13 @@ void add_instances(const Document& document, const std::vector<PlacedNode>& plac
   }
 }
 
-void set_bounds(Scene& scene) {
-  constexpr uint64_t kExactPoints = 20'000'000;
-  uint64_t points = 0;
-  std::vector<Bounds> boxes(scene.meshes.size(), empty_bounds());
-  for (size_t m = 0; m < boxes.size(); ++m)
-    for (const Vertex& v : scene.meshes[m].vertices) include(boxes[m], glm::dvec3(v.position));
-  for (const Instance& instance : scene.instances)
-    points += scene.meshes[static_cast<size_t>(instance.mesh)].vertices.size();
-  if (points <= kExactPoints) {
-    scene.bounds = bounds_of(scene);
-    return;
-  }
-  scene.bounds = empty_bounds();
-  for (const Instance& instance : scene.instances)
-    for (int corner = 0; corner < 8; ++corner) {
-      const Bounds& box = boxes[static_cast<size_t>(instance.mesh)];
-      const glm::dvec3 p(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
-                         corner & 4 ? box.max.z : box.min.z);
-      include(scene.bounds, glm::dvec3(instance.world_from_object * glm::dvec4(p, 1)));
-    }
+bool has_points_or_lines(const Document& document, const std::vector<PlacedNode>& placed) {
+  return std::any_of(placed.begin(), placed.end(), [&](const PlacedNode& p) {
+    const int mesh = document.nodes[static_cast<size_t>(p.node)].mesh;
+    if (mesh < 0) return false;
+    const auto& primitives = document.meshes[static_cast<size_t>(mesh)].primitives;
+    return std::any_of(primitives.begin(), primitives.end(), is_points_or_lines);
+  });
 }
 
 }  // namespace gbl::gltf

@@ -9,7 +9,7 @@ namespace gbl::gltf {
 
 void add_instances(const Document&, const std::vector<PlacedNode>&, Materials&, Scene&, Job&);
 
-// Exact while that takes no longer than loading does, else from each mesh's box.
-void set_bounds(Scene&);
+// Is there something that we do not draw, but that is no fault of the file: points or lines?
+bool has_points_or_lines(const Document&, const std::vector<PlacedNode>&);
 
 }  // namespace gbl::gltf

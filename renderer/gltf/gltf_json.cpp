@@ -108,8 +108,7 @@ void check_extensions(const json& file, Job& job) {
 // What whole features we leave out is said before their members are taken away.
 void note_skipped(const json& file, Job& job) {
   const auto animations = file.find("animations");
-  if (animations != file.end() && animations->is_array() && !animations->empty())
-    job.note("animations are not played: the rest pose is shown");
+  if (animations != file.end() && animations->is_array() && !animations->empty()) job.note("animations are not played");
   const auto meshes = file.find("meshes");
   if (meshes == file.end() || !meshes->is_array()) return;
   for (const json& mesh : *meshes) {

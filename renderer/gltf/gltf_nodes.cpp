@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 #include "renderer/gltf/gltf_limits.h"
+#include "renderer/scene/framing.h"
 
 namespace gbl::gltf {
 namespace {
@@ -27,18 +29,27 @@ std::vector<int> roots_of(const Document& document) {
   return roots;
 }
 
-// A node's own axes, free of scale: cameras and lights have none (specification 3.10, KHR_lights_punctual).
-glm::dmat3 axes_of(const glm::dmat4& m) {
-  const glm::dvec3 back = glm::normalize(glm::dvec3(m[2]));
-  glm::dvec3 right = glm::cross(glm::dvec3(m[1]), back);
-  right = glm::length(right) > 1e-12 ? glm::normalize(right) : glm::normalize(glm::dvec3(m[0]));
-  return {right, glm::cross(back, right), back};
+// Of unit length, or 0 if it has no direction. A length of 1e-200 has one: its square does not.
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
 }
 
-bool has_axes(const glm::dmat4& m) {
-  const glm::dmat3 axes = axes_of(m);
-  return std::isfinite(axes[0].x + axes[0].y + axes[0].z + axes[2].x + axes[2].y + axes[2].z) &&
-         std::abs(glm::determinant(axes) - 1) < 1e-6;
+glm::dvec3 across(const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 c = glm::cross(unit_or_zero(a), unit_or_zero(b));
+  return glm::length(c) > 1e-9 ? glm::normalize(c) : glm::dvec3(0);
+}
+
+// A node's own axes, free of scale: cameras and lights have none (specification 3.10, KHR_lights_punctual). A scale of
+// 0 hides what the node draws and leaves it its axes, as long as one still says where it looks. None: it looks nowhere.
+std::optional<glm::dmat3> axes_of(const glm::dmat4& m) {
+  const glm::dvec3 x(m[0]), y(m[1]), z(m[2]), none(0);
+  const glm::dvec3 back = z != none ? unit_or_zero(z) : across(x, y);
+  if (back == none) return std::nullopt;
+  glm::dvec3 right = across(y, back);
+  if (right == none) right = across(across(back, x), back);  // x, less what of it looks back
+  if (right == none) right = across(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
+  return glm::dmat3(right, glm::cross(back, right), back);
 }
 
 double farthest(const Bounds& bounds, const glm::dvec3& from) {
@@ -46,17 +57,12 @@ double farthest(const Bounds& bounds, const glm::dvec3& from) {
 }
 
 // From the front and above, to the right: glTF's models face +Z (specification 3.4).
-Camera framing(const Bounds& bounds) {
+Camera overview(const Scene& scene) {
   constexpr double kYaw = 30, kPitch = -20;  // degrees
+  constexpr double kFilled = 0.8;            // of the picture's shorter side
   Camera camera;
   camera.orientation = orientation_from_yaw_pitch(kYaw, kPitch);
-  const double radius = std::max(glm::length(bounds.extent()) / 2, 1e-6);
-  // The ball around the bounds touches the picture's upper and lower edge.
-  const double distance = radius / std::sin(glm::radians(camera.fov / 2));
-  camera.position = bounds.centre() - camera.forward() * distance;
-  camera.near = radius * 0.01;  // one may walk in
-  camera.far = distance + 4 * radius;
-  return camera;
+  return framed(scene, camera, kFilled);
 }
 
 }  // namespace
@@ -95,10 +101,11 @@ void add_lights(const Document& document, const std::vector<PlacedNode>& placed,
     const LightSource& source = document.lights[static_cast<size_t>(node.light)];
     Light light = source.light;
     light.position = glm::dvec3(p.world_from_node[3]);
-    light.direction = -axes_of(p.world_from_node)[2];
+    const std::optional<glm::dmat3> axes = axes_of(p.world_from_node);
+    if (axes) light.direction = -(*axes)[2];
     const glm::dvec3 c = light.colour;
     const bool sane = c.x >= 0 && c.y >= 0 && c.z >= 0 && std::max({c.x, c.y, c.z}) < kMaxCoordinate;
-    const bool aimed = light.kind == LightKind::point || has_axes(p.world_from_node);
+    const bool aimed = light.kind == LightKind::point || axes;
     if (source.usable && sane && aimed)
       scene.lights.push_back(light);
     else
@@ -111,18 +118,19 @@ void set_camera(const Document& document, const std::vector<PlacedNode>& placed,
     const Node& node = document.nodes[static_cast<size_t>(p.node)];
     if (node.camera < 0) continue;
     const CameraSource& source = document.cameras[static_cast<size_t>(node.camera)];
-    if (!source.usable || !has_axes(p.world_from_node)) {
+    const std::optional<glm::dmat3> axes = axes_of(p.world_from_node);
+    if (!source.usable || !axes) {
       job.note(fmt::format("node '{}': its camera's lens or direction is not usable; left out", node.name));
       continue;
     }
     scene.camera = source.camera;
     scene.camera.position = glm::dvec3(p.world_from_node[3]);
-    scene.camera.orientation = glm::normalize(glm::quat_cast(axes_of(p.world_from_node)));
+    scene.camera.orientation = glm::normalize(glm::quat_cast(*axes));
     if (source.endless)
       scene.camera.far = std::max(scene.camera.far, 4 * farthest(scene.bounds, scene.camera.position));
     return;
   }
-  scene.camera = framing(scene.bounds);
+  scene.camera = overview(scene);
 }
 
 }  // namespace gbl::gltf

@@ -121,7 +121,8 @@ constexpr Schema kTextureSchema{kTexture, std::size(kTexture)};
 constexpr Member kSampler[] = {{"magFilter", size}, {"minFilter", size}, {"wrapS", size}, {"wrapT", size}};
 constexpr Schema kSamplerSchema{kSampler, std::size(kSampler)};
 
-constexpr Member kPerspective[] = {{"yfov", number, required}, {"zfar", number, sound}, {"znear", number, required}};
+constexpr Member kPerspective[] = {
+    {"aspectRatio", number}, {"yfov", number, required}, {"zfar", number, sound}, {"znear", number, required}};
 constexpr Schema kPerspectiveSchema{kPerspective, std::size(kPerspective)};
 constexpr Member kOrthographic[] = {
     {"xmag", number, required}, {"ymag", number, required}, {"zfar", number, required}, {"znear", number, required}};

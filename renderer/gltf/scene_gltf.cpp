@@ -34,13 +34,15 @@ Scene build(Bytes bytes, const std::string& name, Folder folder, Job& job) {
   const std::vector<PlacedNode> placed = place_nodes(document, job);
   Materials materials(document, scene);
   add_instances(document, placed, materials, scene, job);
-  if (scene.instances.empty()) {
+  if (scene.instances.empty() && !has_points_or_lines(document, placed)) {
     const std::vector<std::string> notes = job.take_notes();
     job.refuse(fmt::format("nothing drawable in it{}", notes.empty() ? "" : fmt::format(" ({})", notes.front())),
                "give a model whose scene holds a mesh of triangles");
   }
+  if (document.scenes.size() > 1)
+    job.note(fmt::format("it holds {} scenes: scene {} is shown", document.scenes.size(), document.scene));
   materials.decode_textures(folder, job);
-  set_bounds(scene);
+  scene.bounds = bounds_of(scene);
   add_lights(document, placed, scene, job);
   set_camera(document, placed, scene, job);
   scene.warnings = job.take_notes();

@@ -17,6 +17,7 @@ double attenuation_at(Attenuation a, double d, double r) {
       const double window = std::clamp(1 - x * x * x * x, 0.0, 1.0);
       return window * window / std::max(d * d, 1e-4);
     }
+    case Attenuation::gltf: return std::clamp(1 - x * x * x * x, 0.0, 1.0) / std::max(d * d, 1e-8);
   }
   return 0;
 }
@@ -30,7 +31,7 @@ double range_at_threshold(Attenuation a, double strength, double r, double thres
     outside *= 2;
     if (outside > 1e6 * r) return r;
   }
-  for (int i = 0; i < 100 && inside < outside; ++i) {
+  for (int i = 0; i < 200 && inside < outside; ++i) {
     const double middle = (inside + outside) / 2;
     (faint(middle) ? outside : inside) = middle;
   }

@@ -4,7 +4,7 @@
 
 namespace gbl {
 
-// 0..1 (windowed: up to 1/10^-4) at distance d from a light whose profile has range r; both in world units, r > 0.
+// 0..1 (windowed: up to 10^4, gltf: 10^8) at distance d from a light whose profile has range r; both in world units, r > 0.
 double attenuation_at(Attenuation, double d, double r);
 
 // The distance at which `strength` times the profile has fallen to `threshold`. A profile that never gets there within

@@ -26,6 +26,7 @@ constexpr ValueRow kAttenuation[] = {
   {.value = at(Attenuation::ramp), .id = "ramp", .label = "1/max(1, 0.2 + 0.4 x + 0.4 x2)", .help = "x = 4 d/r: full near the light, then a kink, cut off at the range", .source = "engine blog, parts 30 and 31"},
   {.value = at(Attenuation::inverse_linear), .id = "inverse-linear", .label = "1/(1 + 9 d/r)", .help = "falls to a tenth, cut off at the range", .source = "tutorial 08-2, point lights"},
   {.value = at(Attenuation::windowed), .id = "windowed", .label = "inverse square, windowed", .help = "(1 - (d/r)^4)^2 / d^2: physical near the light, smoothly 0 at the range", .source = "Karis 2013, Real Shading in Unreal Engine 4"},
+  {.value = at(Attenuation::gltf), .id = "gltf", .label = "inverse square, as glTF", .help = "(1 - (d/r)^4) / d^2, and 1/d^2 without a range: what glTF files mean; a kink at the range", .source = "Khronos, KHR_lights_punctual, Range Property"},
 };
 constexpr ValueRow kRangeKind[] = {
   {.value = at(RangeKind::source), .id = "source", .label = "as the source says", .help = "the light's own range; nothing is lit at or beyond it"},

@@ -8,7 +8,7 @@ namespace gbl {
 enum class LightSource { scene, generated, rig };
 enum class LightSpot { cone, cos_power };
 enum class LightMarkers { off, on };
-enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed };
+enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed, gltf };
 enum class RangeKind { source, threshold, windowed, none };
 enum class LightCull { flip, back, none, front, flip_safe };
 enum class VolumeLevel { l0, l1, l2, l3, l4 };

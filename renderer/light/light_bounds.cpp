@@ -11,7 +11,7 @@ namespace {
 constexpr double kRounding = 1e-9;  // of normalised device coordinates: far above double's, far below a pixel
 
 ScreenBounds perspective_bounds(const Camera& c, double aspect, const glm::dvec3& at, double radius) {
-  const double half_height = std::tan(glm::radians(c.fov) / 2);
+  const double half_height = c.half_height(aspect);
   const Interval x = slopes_of_circle(at.x, at.z, radius, c.near);
   const Interval y = slopes_of_circle(at.y, at.z, radius, c.near);
   return {{x.from / (half_height * aspect), y.from / half_height}, {x.to / (half_height * aspect), y.to / half_height}};
@@ -21,7 +21,7 @@ ScreenBounds orthographic_bounds(const Camera& c, double aspect, const glm::dvec
   // What the near plane leaves of a ball whose centre is behind it is as wide as the cut.
   const double cut = std::max(0.0, c.near - at.z);
   const double width = std::sqrt(std::max(0.0, radius * radius - cut * cut));
-  const glm::dvec2 half(c.orthographic_height / 2 * aspect, c.orthographic_height / 2);
+  const glm::dvec2 half = c.half_height(aspect) * glm::dvec2(aspect, 1);
   return {(glm::dvec2(at) - width) / half, (glm::dvec2(at) + width) / half};
 }
 

@@ -22,9 +22,7 @@ constexpr double kNearestPart = 0.01;
 class LightClusters::View {
  public:
   View(const Camera& c, double aspect)
-      : camera(c),
-        half_height_(c.orthographic() ? c.orthographic_height / 2 : std::tan(glm::radians(c.fov) / 2)),
-        half_width_(half_height_ * aspect) {}
+      : camera(c), half_height_(c.half_height(aspect)), half_width_(half_height_ * aspect) {}
 
   // Columns or rows, in normalised device coordinates, of the part of a ball at depth >= nearest.
   Interval across(double right, double depth, double radius, double nearest) const {

@@ -54,6 +54,7 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
   report.accumulation_bytes_per_pixel = f.accumulation_bytes_per_pixel;
   report.mib = targets.frame.mib();
   report.light_count = static_cast<int>(f.lights.size());
+  report.light_total = f.light_total;
   return report;
 }
 

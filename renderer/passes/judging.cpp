@@ -38,12 +38,12 @@ constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.norma
 
 }  // namespace
 
-Settings witness_of(const Settings& s, FeatureSet features) {
+Settings witness_of(const Settings& s) {
   Settings w = s;
   w.lights.method = LightMethod::forward;
   w.lights.markers = LightMarkers::off;
   w.layout = Layout::float32;
-  w.depth.format = features.has(Feature::clip_control) ? DepthFormat::d32f_reversed : DepthFormat::d32f;
+  w.depth.format = DepthFormat::auto_;
   w.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::one};
   w.background.skip = BackgroundSkip::depth;
   w.tangents = Tangents::vertex;
@@ -87,8 +87,7 @@ TruthTextures upload(const Truth& t) {
   return out;
 }
 
-TruthMaker::TruthMaker(const Settings& s, int threads)
-    : settings_(witness_of(s, gl::device().features)), threads_(threads) {}
+TruthMaker::TruthMaker(const Settings& s, int threads) : settings_(witness_of(s)), threads_(threads) {}
 
 TruthMaker::~TruthMaker() {
   cancel_ = true;
@@ -127,21 +126,31 @@ bool TruthMaker::take_texels(const GpuScene& scene, bool wait) {
   for (size_t i = 0; i < texels.size(); ++i)
     texels[i] = {seen_texels_[0][i], seen_texels_[1][i], seen_texels_[2][i], seen_texels_[3][i]};
   reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(texels));
-  work_ = std::async(std::launch::async, [this] { return reference_->run(threads_, &cancel_); });
+  work_ = std::async(std::launch::async, [this] {
+    triangles_replaced_ = reference_->check_texels();
+    return reference_->run(threads_, &cancel_);
+  });
   return true;
 }
 
 std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuScene& scene, bool wait) {
+  if (refused_) throw Error(*refused_);  // asked again it would be no better
   if (!asked_) ask_gpu(renderer, scene);
   if (!work_.valid() && !take_texels(scene, wait)) return nullptr;
   if (!wait && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
-  work_.get();
+  try {
+    work_.get();
+  } catch (const Error& e) {
+    refused_ = e;
+    throw;
+  }
   auto set = std::make_shared<TruthSet>();
   set->settings = settings_;
   set->truth = reference_->truth();
   set->witness_lit = std::move(witness_lit_);
   set->lit_pairs = reference_->lit_pairs();
   set->texels = reference_->texels();
+  set->triangles_replaced = triangles_replaced_;
   set->textures = upload(set->truth);
   return set;
 }

@@ -4,6 +4,7 @@
 #include <future>
 #include <optional>
 
+#include "renderer/base/error.h"
 #include "renderer/passes/frame.h"
 #include "renderer/truth/reference.h"
 
@@ -11,7 +12,7 @@ namespace gbl {
 
 // The same truth, drawn so that the least is lost on this device: forward, everything in float32. What even this
 // frame misses is float arithmetic's doing, not a set-up's.
-Settings witness_of(const Settings&, FeatureSet);
+Settings witness_of(const Settings&);
 
 // The truth as textures, for the views `reference` and `error`. Rounded once to float.
 struct TruthTextures {
@@ -29,6 +30,7 @@ struct TruthSet {
   std::vector<glm::vec3> witness_lit;  // rows top to bottom
   uint64_t lit_pairs = 0;
   std::vector<SeenTexel> texels;  // what it was worked out from, rows top to bottom
+  size_t triangles_replaced = 0;  // of the texels: those whose triangle this driver got wrong
   TruthTextures textures;
 };
 
@@ -61,6 +63,8 @@ class TruthMaker {
   std::vector<glm::vec3> witness_lit_;
   std::unique_ptr<Reference> reference_;
   std::atomic<bool> cancel_{false};
+  size_t triangles_replaced_ = 0;  // by `work_`
+  std::optional<Error> refused_;
   std::future<bool> work_;
 };
 

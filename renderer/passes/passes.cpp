@@ -113,6 +113,7 @@ void upload_frame_block(Frame& frame) {
   block.viewport = glm::vec4(s.size, 1.0 / s.size.x, 1.0 / s.size.y);
   block.background = glm::vec4(frame.background(), 0);
   block.shading = glm::vec4(s.shading.exponent, s.shading.specular, s.ambient, s.exposure);
+  block.light_scale = {frame.resolved.light_sum_scale, 1 / frame.resolved.light_sum_scale, 0, 0};
   const Bounds& bounds = frame.scene.scene().bounds;
   block.view_range = glm::vec4(depth_view_range(s.camera, bounds), position_cycle(bounds), 0);
   block.lights = glm::ivec4(frame.light_count(), 0, 0, 0);
@@ -130,7 +131,7 @@ void upload_lights(Frame& frame) {
   up.record_texels.clear();
   for (const Light& l : frame.lights()) {
     up.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
-    up.record_texels.emplace_back(l.colour, static_cast<int>(l.kind));
+    up.record_texels.emplace_back(l.colour * frame.resolved.light_sum_scale, static_cast<int>(l.kind));
     up.record_texels.emplace_back(l.direction, l.inner_cos);
     up.record_texels.emplace_back(l.outer_cos, l.coefficients);
     up.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);

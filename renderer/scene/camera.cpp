@@ -5,9 +5,11 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace gbl {
-namespace {
-double half_height_at_unit_range(const Camera& c) { return std::tan(glm::radians(c.fov) / 2); }
-}  // namespace
+
+double Camera::half_height(double picture_aspect) const {
+  const double asked = orthographic() ? orthographic_height / 2 : std::tan(glm::radians(fov) / 2);
+  return asked * std::max(1.0, aspect / picture_aspect);
+}
 
 glm::dquat orientation_from_yaw_pitch(double yaw_deg, double pitch_deg) {
   return glm::angleAxis(glm::radians(yaw_deg), glm::dvec3(0, 1, 0)) *
@@ -24,9 +26,9 @@ glm::dvec2 yaw_pitch_of(const glm::dquat& q) {
 }
 
 glm::dmat4 clip_from_view(const Camera& c, double aspect, DepthRuns runs) {
-  const double h = c.orthographic_height / 2;
-  glm::dmat4 clip = c.orthographic() ? glm::ortho(-h * aspect, h * aspect, -h, h, c.near, c.far)
-                                     : glm::perspective(glm::radians(c.fov), aspect, c.near, c.far);
+  const double h = c.half_height(aspect), n = c.near;
+  glm::dmat4 clip = c.orthographic() ? glm::ortho(-h * aspect, h * aspect, -h, h, n, c.far)
+                                     : glm::frustum(-h * aspect * n, h * aspect * n, -h * n, h * n, n, c.far);
   if (runs == DepthRuns::reversed) {
     clip[2][2] = (c.orthographic() ? 1 : c.near) / (c.far - c.near);
     clip[3][2] = c.far * clip[2][2];
@@ -39,7 +41,7 @@ glm::dmat4 clip_from_relative(const Camera& c, double aspect, DepthRuns runs) {
 }
 
 ViewRays view_rays(const Camera& c, double aspect) {
-  const double half_height = c.orthographic() ? c.orthographic_height / 2 : half_height_at_unit_range(c);
+  const double half_height = c.half_height(aspect);
   return {c.forward(), c.right() * half_height * aspect, c.up() * half_height};
 }
 
@@ -57,10 +59,10 @@ double depth_from_range(const Camera& c, double range, DepthRuns runs) {
 
 double near_corner_factor(const Camera& c, double aspect) {
   if (c.orthographic()) {  // the corner's distance does not scale with near: give it as a factor all the same
-    const double h = c.orthographic_height / 2;
+    const double h = c.half_height(aspect);
     return std::sqrt(c.near * c.near + h * h * (1 + aspect * aspect)) / c.near;
   }
-  const double t = half_height_at_unit_range(c);
+  const double t = c.half_height(aspect);
   return std::sqrt(1 + t * t * (1 + aspect * aspect));
 }
 

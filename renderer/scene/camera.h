@@ -12,9 +12,14 @@ struct Camera {
   double orthographic_height = 0;      // 0 = perspective, else the height of the picture in world units
   double near = 1;                     // distances along the view axis; 0 < near < far
   double far = 10000;
+  // Width : height that is shown whole, as a file's camera asks: a narrower picture shows more above and below.
+  // 0 = the height alone counts.
+  double aspect = 0;
   bool operator==(const Camera&) const = default;
 
   bool orthographic() const { return orthographic_height > 0; }
+  // Of a picture of this shape, in world units at distance 1 along the view axis; of an orthographic camera anywhere.
+  double half_height(double picture_aspect) const;
   glm::dvec3 forward() const { return orientation * glm::dvec3(0, 0, -1); }
   glm::dvec3 right() const { return orientation * glm::dvec3(1, 0, 0); }
   glm::dvec3 up() const { return orientation * glm::dvec3(0, 1, 0); }

@@ -1,6 +1,7 @@
 #pragma once
 // A scene as plain data: no GL, no files. World is right-handed, Y up, metres; transforms are double.
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
@@ -99,6 +100,7 @@ struct Light {
   glm::dvec3 position{0};   // world; of a directional light unused
   glm::dvec3 colour{1};     // linear; times intensity
   double range = kEndless;  // world units; no light at or beyond it
+  bool ends_faint = false;  // its source states no range: it ends where the display cannot show it (lights_of())
   LightKind kind = LightKind::point;
   glm::dvec3 direction{0, -1, 0};       // unit, from the light; of spot and directional
   double inner_cos = 1, outer_cos = 0;  // of a spot: full within the inner cone, none outside the outer
@@ -140,10 +142,14 @@ struct Scene {
   LightGrid light_grid;
   Bounds bounds;                      // of all instances, world
   Camera camera;                      // the scene's own view
+  bool studio_lights = false;         // `lights` were added to a file that has none
   double exposure = 1;                // that shows its own lights well
   std::vector<std::string> warnings;  // what was skipped or replaced, a line each
 };
 
-Bounds bounds_of(const Scene&);
+// Every vertex of every instance, in the world; where these are many millions, the corners of the meshes' boxes.
+void visit_points(const Scene&, const std::function<void(const glm::dvec3&)>&);
+
+Bounds bounds_of(const Scene&);  // of no point: empty, at the origin
 
 }  // namespace gbl

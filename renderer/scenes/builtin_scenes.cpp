@@ -24,8 +24,9 @@ constexpr BuiltinScene kScenes[] = {
      build_spheres, R"({"attenuation": "linear", "ambient": 0.1, "background.fill": "black"})"},
     {"room", "Room", "mirror, glass and chrome, a shining sign and a brick wall under point and spot light (source 1)",
      build_room,
-     R"({"layout": "float32", "shading.model": "ggx", "shading.exponent": "from-roughness",
-         "attenuation": "windowed", "ambient": 0.15, "background.fill": "black"})"},
+     R"({"shading.model": "ggx", "shading.exponent": "from-roughness",
+         "attenuation": "windowed", "ambient": 0.15, "background.fill": "black"})",
+     R"({"layout": "auto"})"},
     {"grove", "Grove", "a trunk and a house with normal maps, a sun and three lamps under the sky (source 4)",
      build_grove, R"({"attenuation": "ramp", "ambient": 0.3, "background.fill": "sky"})"},
     {"layers", "Layers", "sixteen layers one behind the other: forward shades them all, deferred the nearest",
@@ -34,8 +35,9 @@ constexpr BuiltinScene kScenes[] = {
      build_hall, R"({"lights.count": 768, "attenuation": "linear", "ambient": 0.14, "background.fill": "black"})"},
     {"city", "City at night", "12 x 12 blocks with street lamps and windows that are flagged as unlit (source 0)",
      build_city,
-     R"({"layout": "float32", "attenuation": "linear", "ambient": 0.06, "background.fill": "colour",
-         "background.colour": [0.006, 0.010, 0.024]})"},
+     R"({"attenuation": "linear", "ambient": 0.06, "background.fill": "colour",
+         "background.colour": [0.006, 0.010, 0.024]})",
+     R"({"layout": "auto"})"},
 };
 
 std::vector<std::string_view> ids() {

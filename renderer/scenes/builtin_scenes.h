@@ -12,7 +12,8 @@ struct BuiltinScene {
   const char* label;
   const char* help;
   Scene (*build)();
-  const char* look = "{}";  // settings that belong to the scene, as a patch: its lights' source and count, its profile
+  const char* look = "{}";     // of its truth, as a patch: its lights' count, its falloff, its background
+  const char* drawing = "{}";  // how it is drawn where nothing was chosen, as a patch
 };
 
 std::span<const BuiltinScene> builtin_scenes();

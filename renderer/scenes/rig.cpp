@@ -86,8 +86,8 @@ Light light_of(const Json& json, std::string where) {
   }
   if (m.has("attenuation")) l.coefficients = m.vector("attenuation", 0, kFar);
   if (l.kind == LightKind::directional) return l;
-  const double brightest = std::max({l.colour.x, l.colour.y, l.colour.z});
-  l.range = m.has("range") ? m.number("range", 0, kFar) : std::sqrt(255 * brightest);
+  l.ends_faint = !m.has("range");
+  if (!l.ends_faint) l.range = m.number("range", 0, kFar);
   return l;
 }
 

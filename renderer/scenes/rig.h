@@ -4,7 +4,8 @@
 //     {"kind": "point", "position": [0, 2, 0], "colour": [1, 0.9, 0.8], "candela": 40, "range": 6},
 //     {"kind": "spot", "position": [0, 3, 0], "direction": [0, -1, 0], "candela": 100, "inner_deg": 20, "outer_deg": 30},
 //     {"kind": "directional", "direction": [0.3, -1, 0.2], "lux": 2, "attenuation": [1, 0.7, 1.8]}]}
-// Metres, linear RGB, half-angles. Without a range a light ends where its radiance on white falls to 1/255.
+// Metres, linear RGB, half-angles. Without a range a light ends where its radiance on white falls
+// to 1/255 of what the display shows as white.
 // "attenuation": the light's own falloff 1/(a + b d + c d^2).
 #include <string>
 #include <string_view>

@@ -6,8 +6,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/size_text.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
-#include "renderer/scenes/scene_look.h"
 #include "renderer/study/seeded_camera.h"
 
 namespace gbl {
@@ -87,7 +87,7 @@ void apply_size(Settings& s, const OptionValue& v, SceneCache&) { set(s, "size",
 // clang-format off
 constexpr StudyPath kPaths[] = {
     {"preset", "whole settings by id", checked_preset, apply_preset, [](const Settings&) { return std::optional<OptionValue>(); }},
-    {"scene", "with its camera, lights and look", checked_scene, apply_scene_by_name, [](const Settings& s) { return std::optional<OptionValue>(s.scene); }},
+    {"scene", "with its camera, lights and look; a preset keeps how it draws", checked_scene, apply_scene_by_name, [](const Settings& s) { return std::optional<OptionValue>(s.scene); }},
     {"lights", "how many are generated", checked_lights, apply_lights, [](const Settings& s) { return std::optional<OptionValue>(s.lights.count); }},
     {"camera.seed", "0: as set; k: the k-th seeded camera", checked_seed, apply_seed, [](const Settings&) { return std::optional<OptionValue>(0); }},
     {"size", "\"WIDTHxHEIGHT\" or [WIDTH, HEIGHT]", checked_size, apply_size, [](const Settings& s) { return std::optional<OptionValue>(size_text(s.size)); }},
@@ -145,6 +145,7 @@ Settings settings_of(const std::vector<Coordinate>& checked, SceneCache& scenes)
     if (std::string_view(p.path) == "size") s.size = kDefaultSize;  // a preset's own would compare other pictures
     if (const OptionValue* value = find(checked, p.path)) p.apply(s, *value, scenes);
   }
+  if (!find(checked, "preset")) apply_drawing(s, s.scene);
   for (const Coordinate& c : checked)
     if (!special(c.path)) set(s, c.path, c.value);
   s.view = {};

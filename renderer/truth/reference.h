@@ -8,6 +8,7 @@
 #include "renderer/frame/frame_lights.h"
 #include "renderer/truth/truth.h"
 #include "renderer/truth/truth_geometry.h"
+#include "renderer/truth/visible_triangles.h"
 
 namespace gbl {
 
@@ -22,6 +23,9 @@ class Reference {
   // texels: size.x * size.y of the settings, rows top to bottom.
   // With `store` it is no truth, but what that way of storing materials would leave of it.
   Reference(const Settings&, std::shared_ptr<const Scene>, std::vector<SeenTexel> texels, StoreFn store = {});
+
+  // The texels' triangles against the scene, in double (visible_triangles.h); the number of those replaced.
+  size_t check_texels() { return check_triangles(settings_, *scene_, texels_); }
 
   // Works on the rows that are not done yet. False if it was cancelled; it can be called again to go on. The result
   // does not depend on the number of threads.
@@ -48,8 +52,5 @@ class Reference {
   std::vector<uint64_t> lit_pairs_of_row_;
   std::atomic<int> next_row_{0}, rows_done_{0};
 };
-
-// Threads to use when nothing else is to be kept running.
-int all_processors();
 
 }  // namespace gbl

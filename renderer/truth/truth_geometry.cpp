@@ -114,7 +114,8 @@ TruthMaterial TruthGeometry::material_at(const Material& m, const Vertex* const 
   out.roughness = double(texel.seen.z) * m.roughness;
   const bool occluded = m.occlusion_texture.texture != kNoTexture;
   out.occlusion = 1 + (occluded ? m.occlusion_strength : 0) * (double(texel.normal.w) - 1);
-  out.emission = m.unlit ? out.base : glm::dvec3(texel.emission) * glm::dvec3(m.emissive);  // unlit: as it is
+  // Unlit: the display shows the colour as it is, whatever the exposure (KHR_materials_unlit).
+  out.emission = m.unlit ? out.base / settings_.exposure : glm::dvec3(texel.emission) * glm::dvec3(m.emissive);
   out.unlit = m.unlit;
   return out;
 }

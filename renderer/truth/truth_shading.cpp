@@ -27,9 +27,10 @@ double strength(const ShadingModelOf& m, const Light& l, double distance, const 
   if (l.kind == LightKind::spot) {
     const double cosine = glm::dot(from_light, l.direction);
     // KHR_lights_punctual, section "Inner and Outer Cone Angles"; under cos-power inner_cos holds the exponent.
+    const double edge = m.attenuation == Attenuation::gltf ? 1e-3 : 1e-4;
     share *= m.spot == LightSpot::cos_power
                  ? std::pow(std::max(cosine, 0.0), l.inner_cos)
-                 : square(std::clamp((cosine - l.outer_cos) / std::max(l.inner_cos - l.outer_cos, 1e-4), 0.0, 1.0));
+                 : square(std::clamp((cosine - l.outer_cos) / std::max(l.inner_cos - l.outer_cos, edge), 0.0, 1.0));
   }
   return m.windowed_range ? share * smooth_window(distance / l.range) : share;
 }

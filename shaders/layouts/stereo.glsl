@@ -5,7 +5,7 @@ Stored pack_material(Surface s) {
   t.material = vec4(coded8(s.albedo), 1.0);
   t.reflectance = quantised8(vec4(s.f0, s.roughness));
 #ifdef STORED_EMISSION
-  t.emission = vec4(shading.z * s.ambient + s.emissive, 0.0);
+  t.emission = vec4((shading.z * s.ambient + s.emissive) * light_scale.x, 0.0);
 #endif
   return t;
 }
@@ -16,6 +16,6 @@ void unpack_material(Stored t, inout Surface s) {
   set_roughness(s, t.reflectance.a);
   s.ambient = vec3(0.0);
 #ifdef STORED_EMISSION
-  s.emissive = t.emission.rgb;
+  s.emissive = t.emission.rgb * light_scale.y;
 #endif
 }

@@ -58,16 +58,5 @@ TEST_F(Drop, AFileThatCannotBeReadLeavesTheSceneAndSaysWhy) {
   EXPECT_EQ(lab.drawn().scene, "builtin:terrain");
 }
 
-TEST_F(Drop, NoSceneKeepsTheLookOfTheOneBefore) {
-  Settings s = preset("start").make();
-  const Settings start = s;
-  apply_scene(s, "builtin:room", *open_scene("builtin:room"));
-  EXPECT_NE(s.shading.model, start.shading.model);
-  reset_look(s);
-  apply_scene(s, "builtin:terrain", *open_scene("builtin:terrain"));
-  s.view = start.view;
-  EXPECT_EQ(s, start);
-}
-
 }  // namespace
 }  // namespace gbl

@@ -67,6 +67,7 @@ const char* const kRooms[] = {
     "renderer/inspect",
     "renderer/lessons",
     "renderer/truth",
+    "renderer/opening",
     "renderer/study/rows",
     "renderer/study/charts",
     "renderer/study",

@@ -25,7 +25,7 @@ TEST(PositionSource, EveryStoredSourceAndEveryDepthFormatHasARow) {
     if (r.source == PositionSource::depth) formats.insert(r.format);
   }
   EXPECT_EQ(sources.size(), rows<PositionSource>().size());
-  EXPECT_EQ(formats.size(), rows<DepthFormat>().size());
+  EXPECT_EQ(formats.size(), rows<DepthFormat>().size() - 1) << "all but auto, which is one of the others";
 }
 
 double error_of(const char* id, double range) {

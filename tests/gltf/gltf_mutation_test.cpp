@@ -56,7 +56,8 @@ int try_load(const Bytes& bytes, const std::string& what) {
 TEST(GltfMutation, SeedsLoadWithoutWarnings) {
   for (const Seed& seed : seeds()) {
     const Scene scene = load_gltf_from_memory(seed.bytes, "test");
-    EXPECT_TRUE(scene.warnings.empty()) << seed.name << ": " << scene.warnings.front();
+    const bool skinned = seed.name.find("skinned") == 0;  // its pose is said, and nothing else
+    EXPECT_EQ(scene.warnings.size(), skinned ? 1u : 0u) << seed.name << ": " << scene.warnings.front();
     expect_whole(scene);
   }
 }

@@ -81,12 +81,16 @@ TEST(GltfScene, PerspectiveAndOrthographicCameras) {
   EXPECT_EQ(camera.far, 50);
   expect_near(camera.position, {1, 2, 3});
   expect_near(camera.forward(), {0, 0, 1});
+  EXPECT_EQ(camera.aspect, 0) << "none is stated";
+  file.doc["cameras"][0]["perspective"]["aspectRatio"] = 4;
+  EXPECT_EQ(file.load().camera.aspect, 4);
   file.doc["cameras"][0]["perspective"].erase("zfar");
   EXPECT_EQ(file.load().camera.far, .25 * kGltfFarOfEndlessCamera);
   file.doc["cameras"][0] = {{"type", "orthographic"},
                             {"orthographic", {{"xmag", 3}, {"ymag", 2}, {"znear", 0}, {"zfar", 9}}}};
   camera = file.load().camera;
   EXPECT_EQ(camera.orthographic_height, 4);
+  EXPECT_EQ(camera.aspect, 1.5);
   EXPECT_GT(camera.near, 0);
   file.doc["cameras"][0] = {{"type", "perspective"}, {"perspective", {{"yfov", 9}, {"znear", 1}}}};
   EXPECT_TRUE(has_warning(file.load(), "its camera's lens or direction is not usable"));
@@ -102,6 +106,90 @@ TEST(GltfScene, WithoutACameraTheWholeIsInTheFrame) {
     for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::abs(c[axis]), c.w);
   }
   EXPECT_GT(scene.camera.position.z, 0);  // from the front: models face +Z
+}
+
+// The model touches 80 % of the shorter side, in the middle, in pictures of any shape.
+TEST(GltfScene, WithoutACameraTheModelFillsTheFrame) {
+  GltfFile wide = triangle_file(), flat = triangle_file(), far_off = triangle_file();
+  wide.node(0)["scale"] = {30, 1, 1};
+  flat.node(0)["scale"] = {1, 0.01, 1};
+  far_off.node(0)["translation"] = {1e5, -2e5, 3e5};
+  far_off.node(0)["scale"] = {1e-3, 1e-3, 1e-3};
+  for (const Scene& scene : {triangle_file().load(), wide.load(), flat.load(), far_off.load()})
+    for (const double aspect : {16.0 / 9, 1.0, 0.5}) {
+      const glm::dmat4 clip = clip_from_relative(scene.camera, aspect);
+      glm::dvec2 low(INFINITY), high(-INFINITY);
+      visit_points(scene, [&](const glm::dvec3& p) {
+        const glm::dvec4 c = clip * glm::dvec4(p - scene.camera.position, 1);
+        low = glm::min(low, glm::dvec2(c) / c.w), high = glm::max(high, glm::dvec2(c) / c.w);
+        EXPECT_LE(std::abs(c.z), c.w);
+      });
+      const double shorter = std::min(aspect, 1.0);  // of a picture that is 1 high
+      const glm::dvec2 share = (high - low) / 2.0 * glm::dvec2(aspect, 1) / shorter;
+      EXPECT_NEAR(std::max(share.x, share.y), 0.8, 1e-6) << aspect;
+      const int longer = share.x > share.y ? 0 : 1;
+      EXPECT_NEAR(low[longer] + high[longer], 0, 1e-6) << "in the middle";
+      EXPECT_NEAR(low[1 - longer] + high[1 - longer], 0, 0.3) << "about in the middle: what is nearer is larger";
+    }
+}
+
+TEST(GltfScene, LightsBelowANodeOfNoSizeStillStandSomewhere) {
+  GltfFile file = triangle_file();
+  file.doc["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}, {{"type", "spot"}}};
+  for (int i = 0; i < 2; ++i) {
+    json light = {{"translation", {1, 0, 0}}};
+    light["extensions"]["KHR_lights_punctual"]["light"] = i;
+    file.add("nodes", light);
+  }
+  const int parent = file.add("nodes", {{"children", {1, 2}}, {"translation", {3, 4, 5}}});
+  file.doc["scenes"][0]["nodes"].push_back(parent);
+  const auto lights_at = [&](double x, double y, double z) {
+    file.node(parent)["scale"] = {x, y, z};
+    const Scene scene = file.load();
+    for (const Light& l : scene.lights) {
+      EXPECT_NEAR(glm::length(l.direction), 1, 1e-9);
+      expect_near(l.position, {3 + x, 4, 5});
+    }
+    for (size_t i = 1; i < scene.lights.size(); ++i) expect_near(scene.lights[i].direction, {0, 0, -1});
+    return scene.lights.size();
+  };
+  EXPECT_EQ(lights_at(1, 1, 0), 2u) << "x and y still say where z is";
+  EXPECT_EQ(lights_at(1, 0, 1), 2u);
+  EXPECT_EQ(lights_at(0, 0, 1), 2u);
+  EXPECT_EQ(lights_at(1e-200, 1e-200, 1e-200), 2u);
+  EXPECT_EQ(lights_at(0, 0, 0), 1u) << "a spot light that looks nowhere is left out, a point light needs no direction";
+}
+
+TEST(GltfScene, MeshesFarFromTheirOriginKeepTheirDigits) {
+  GltfFile file = triangle_file();
+  const float o = 1e6f;
+  const int place = file.numbers<float>({o, 0, 0, o + 1, 0, 0, o, 1, 0}, "VEC3");
+  file.doc["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = place;
+  const Scene scene = file.load();
+  for (const Vertex& v : scene.meshes[0].vertices) EXPECT_LE(std::abs(v.position.x), 1);
+  expect_near(at(scene, 0, glm::dvec3(scene.meshes[0].vertices[1].position)), {o + 1, 0, 0});
+  EXPECT_EQ(scene.bounds.min.x, o);
+  EXPECT_EQ(triangle_file().load().instances[0].world_from_object, glm::dmat4(1))
+      << "near its origin it stays as it is";
+}
+
+TEST(GltfScene, PointsAloneLoadWithANote) {
+  GltfFile file = triangle_file();
+  file.doc["meshes"][0]["primitives"][0]["mode"] = 0;
+  const Scene scene = file.load();
+  EXPECT_TRUE(scene.instances.empty());
+  EXPECT_TRUE(has_warning(scene, "points and lines are not drawn"));
+}
+
+TEST(GltfScene, OtherScenesAndSkinsAreSaid) {
+  GltfFile file = triangle_file();
+  EXPECT_FALSE(has_warning(file.load(), "scenes"));
+  file.add("scenes", {{"nodes", json::array()}});
+  EXPECT_TRUE(has_warning(file.load(), "it holds 2 scenes: scene 0 is shown"));
+  const std::vector<Seed> all = seeds();
+  const auto skinned = std::find_if(all.begin(), all.end(), [](const Seed& s) { return s.name == "skinned.glb"; });
+  ASSERT_NE(skinned, all.end());
+  EXPECT_TRUE(has_warning(load_gltf_from_memory(skinned->bytes, "test"), "rest pose"));
 }
 
 TEST(GltfScene, PunctualLights) {
@@ -138,11 +226,9 @@ TEST(GltfScene, SkinnedMeshesStandInTheirRestPose) {
     if (seed.name != "skinned.glb") continue;
     const Scene scene = load_gltf_from_memory(seed.bytes, "test");
     // Joints: root at (0,0,5), second (0,1,5). Corner 2 follows both by half: (0,1,0) + (0,.5,5).
-    const Mesh& mesh = scene.meshes.at(0);
-    EXPECT_EQ(mesh.vertices[0].position, glm::vec3(0, 0, 5));
-    EXPECT_EQ(mesh.vertices[1].position, glm::vec3(1, 1, 5));
-    EXPECT_EQ(mesh.vertices[2].position, glm::vec3(0, 1.5f, 5));
-    EXPECT_EQ(scene.instances.at(0).world_from_object, glm::dmat4(1));
+    const glm::dvec3 expected[] = {{0, 0, 5}, {1, 1, 5}, {0, 1.5, 5}};
+    for (size_t i = 0; i < 3; ++i)
+      expect_near(at(scene, 0, glm::dvec3(scene.meshes.at(0).vertices[i].position)), expected[i]);
     return;
   }
   FAIL() << "no such seed";

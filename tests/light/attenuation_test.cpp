@@ -9,7 +9,8 @@ namespace gbl {
 namespace {
 
 constexpr Attenuation kAll[] = {Attenuation::none, Attenuation::linear,         Attenuation::quadratic,
-                                Attenuation::ramp, Attenuation::inverse_linear, Attenuation::windowed};
+                                Attenuation::ramp, Attenuation::inverse_linear, Attenuation::windowed,
+                                Attenuation::gltf};
 
 TEST(Attenuation, IsTheFormulaOfItsSource) {
   EXPECT_EQ(attenuation_at(Attenuation::none, 7, 4), 1);
@@ -88,6 +89,37 @@ TEST(LightsOf, EndAsTheRangeKindSaysAndKeepTheirProfile) {
   EXPECT_LT(lights_of(with_one_light(RangeKind::threshold), scene)[0].range, 20);  // of 4112
   EXPECT_EQ(lights_of(with_one_light(RangeKind::none), scene)[0].range, kEndless);
   EXPECT_EQ(lights_of(with_one_light(RangeKind::windowed), scene)[0].range, own);
+}
+
+// Where the radiance on white, after exposure, is 1/255 of what the display shows: by the light's own falloff.
+TEST(LightsOf, WithoutAStatedRangeTheyEndWhereTheyAreFaint) {
+  Scene scene;
+  scene.lights.resize(1);
+  Light& l = scene.lights[0];
+  l.colour = {40, 20, 0}, l.ends_faint = true;
+  Settings s;
+  s.lights.source = LightSource::scene;
+  for (const double exposure : {1e-4, 1.0, 30.0})
+    for (const Attenuation attenuation : {Attenuation::windowed, Attenuation::gltf})
+      for (const glm::dvec3 falloff :
+           {glm::dvec3(0), glm::dvec3(1, 0, 0.5), glm::dvec3(1, 2, 0), glm::dvec3(0, 0, 3)}) {
+        s.exposure = exposure, s.attenuation = attenuation, l.coefficients = falloff;
+        const Light lit = lights_of(s, scene)[0];
+        const glm::dvec3 k = falloff == glm::dvec3(0) ? glm::dvec3(0, 0, 1) : falloff;
+        const double left = 40 * exposure / (k.x + lit.range * (k.y + lit.range * k.z));
+        if (40 * exposure * 255 > k.x)
+          EXPECT_NEAR(left * 255, 1, 1e-9);
+        else
+          EXPECT_EQ(lit.range, 0) << "it is faint everywhere";
+      }
+  l.coefficients = {1, 0, 0}, s.exposure = 1;
+  EXPECT_EQ(lights_of(s, scene)[0].range, kEndless) << "without falloff it gets faint nowhere";
+  l.coefficients = glm::dvec3(0), s.attenuation = Attenuation::gltf;
+  EXPECT_EQ(lights_of(s, scene)[0].profile_range, kEndless) << "no window takes light away before the end";
+  s.lights.range_scale = 0.5;
+  EXPECT_NEAR(lights_of(s, scene)[0].range, std::sqrt(255 * 40) / 2, 1e-9);
+  l.range = 3, l.ends_faint = false;
+  EXPECT_EQ(lights_of(s, scene)[0].range, 1.5) << "a stated range stays";
 }
 
 TEST(LightsOf, WithoutAnEdgeKeepsATwentiethAtTheOuterAngle) {

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "app/lab.h"
-#include "renderer/scenes/scene_look.h"
+#include "renderer/opening/scene_look.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl {

@@ -141,6 +141,7 @@ constexpr Falloff kFalloffs[] = {
      [](double d) { return 1 / std::max(1.0, 0.2 + 1.6 * d / kRange + 6.4 * d * d / (kRange * kRange)); }},
     {Attenuation::inverse_linear, [](double d) { return kRange / (kRange + 9 * d); }},
     {Attenuation::windowed, [](double d) { return windowed(d) / (d * d); }},
+    {Attenuation::gltf, [](double d) { return std::max(0.0, 1 - std::pow(d / kRange, 4)) / (d * d); }},
     {Attenuation::quadratic, [](double d) { return windowed(d) / (1 + 0.7 * d + 1.8 * d * d); }, RangeKind::windowed},
     {Attenuation::quadratic, [](double d) { return 1 / (1 + 0.7 * d + 1.8 * d * d); }, RangeKind::none},
 };

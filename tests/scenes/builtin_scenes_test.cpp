@@ -11,8 +11,8 @@
 #include "renderer/frame/frame_lights.h"
 #include "renderer/frame/validate.h"
 #include "renderer/light/lights.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/settings_json.h"
-#include "renderer/scenes/scene_look.h"
 #include "tests/scenes/mesh_promises.h"
 #include "tests/test_support.h"
 
@@ -90,7 +90,8 @@ TEST_P(EveryScene, KnowsItsBounds) {
 
 TEST_P(EveryScene, HasALookThatIsValidAndSound) {
   Settings patched;
-  EXPECT_NO_THROW(apply_patch(patched, parse_patch(row().look, row().id), row().id));
+  for (const char* part : {row().look, row().drawing})
+    EXPECT_NO_THROW(apply_patch(patched, parse_patch(part, row().id), row().id));
   const Settings s = shown(row());
   for (const Problem& p : validate(s, {})) ADD_FAILURE() << p.path << ": " << p.sentence;
   for (const Unsound& u : unsound_choices(s)) ADD_FAILURE() << u.path << " = " << u.value << ": " << u.pitfall;

@@ -31,7 +31,8 @@ TEST(Rig, all_kinds_of_light_are_read) {
   EXPECT_EQ(lights[1].kind, LightKind::spot);
   EXPECT_EQ(lights[1].direction, glm::dvec3(0, -1, 0)) << "made unit";
   EXPECT_NEAR(lights[1].outer_cos, 0.5, 1e-12);
-  EXPECT_NEAR(lights[1].range, std::sqrt(255.0 * 100), 1e-9) << "ends where white shows 1/255";
+  EXPECT_TRUE(lights[1].ends_faint) << "no range is stated";
+  EXPECT_FALSE(lights[0].ends_faint);
   EXPECT_EQ(lights[2].range, kEndless);
   EXPECT_EQ(lights[2].coefficients, glm::dvec3(1, 0.7, 1.8));
 }

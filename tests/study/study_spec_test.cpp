@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
-#include "renderer/scenes/scene_look.h"
 #include "renderer/study/seeded_camera.h"
 #include "tests/test_support.h"
 

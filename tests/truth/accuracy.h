@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "app/bench.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/options.h"
-#include "renderer/scenes/scene_look.h"
 #include "renderer/study/seeded_camera.h"
 #include "tests/gl_fixture.h"
 

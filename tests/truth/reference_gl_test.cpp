@@ -1,10 +1,12 @@
 // The reference against the GPU: the float32 forward frame agrees with it but for float's own noise, and the counts of
 // the GPU are the reference's.
 #include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "app/truth_keeper.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/options.h"
-#include "renderer/scenes/scene_look.h"
+#include "renderer/truth/measure.h"
 #include "tests/gl_fixture.h"
 #include "tests/truth/closed_scene.h"
 
@@ -73,6 +75,66 @@ TEST_F(ReferenceGl, TheWitnessAgreesForEveryTruth) {
   Settings level = base;
   level.camera.orthographic_height = 6;
   expect_only_float_noise(*truth_of(level, scene), "orthographic");
+  // All rays of an orthographic camera see the sky in one direction.
+  level.background.fill = BackgroundFill::sky;
+  level.camera.position.y += 3;
+  expect_only_float_noise(*truth_of(level, scene), "orthographic, sky");
+}
+
+// glTF turns a back face's mapped normal round: a frame from derivatives, in which the eye is always in front, must, too.
+TEST_F(ReferenceGl, FramesFromDerivativesTurnWithBackFacesAndMirrors) {
+  Scene wall;
+  Mesh m{"wall", {}, {0, 1, 2, 2, 1, 3}};
+  for (const float y : {-1.0f, 1.0f})
+    for (const float x : {-1.5f, 1.5f})
+      m.vertices.push_back({{x, y, 0}, {0, 0, 1}, {1, 0, 0, 1}, {x / 3 + 0.5f, 0.5f - y / 2}});
+  wall.meshes = {m};
+  wall.textures = {{.name = "tilted", .size = {1, 1}, .rgba = {191, 160, 230, 255}}};
+  wall.materials = {{.normal_texture = {.texture = 0}, .double_sided = true}};
+  wall.instances = {{"wall", 0, 0, glm::dmat4(1)}};
+  wall.bounds = bounds_of(wall);
+  Settings s = closed_settings();
+  s.camera.position = {0.3, 0.2, 4};
+  s.camera.orientation = orientation_from_yaw_pitch(3, -2);
+  s.lights.source = LightSource::generated;
+  s.layout = Layout::float32;
+  s.normal.encoding = NormalEncoding::xyz32f;
+  s.tangents = Tangents::derivatives;
+  for (const glm::dvec3 scale : {glm::dvec3(1), glm::dvec3(-1, 1, 1), glm::dvec3(1, 1, -1), glm::dvec3(-1, -1, -1)})
+    for (const double yaw : {0.0, 180.0}) {
+      wall.instances[0].world_from_object = glm::scale(glm::mat4_cast(orientation_from_yaw_pitch(yaw, 0)), scale);
+      const GpuScene scene(std::make_shared<const Scene>(wall));
+      const auto set = truth_of(s, scene);
+      renderer.render(s, scene, targets);
+      const Errors e = measure(set->truth, read_drawn(renderer, s, scene, targets, false), {s.exposure, s.colour});
+      EXPECT_LE(e.normal_deg_max.value(), 0.01) << yaw << " " << scale.x << scale.y << scale.z;
+    }
+}
+
+// A sunlit wall is brighter than half floats reach, and a dim lamp darker than they resolve: sums are kept in the
+// display's units there.
+TEST_F(ReferenceGl, AnyLightIsSummedInHalfFloats) {
+  Scene wall = make_plane(20, {.base_colour = {0.9f, 0.9f, 0.9f, 1}, .roughness = 0.6f});
+  wall.lights.resize(1);
+  wall.lights[0].kind = LightKind::directional;
+  wall.lights[0].direction = glm::normalize(glm::dvec3(0.3, -1, -0.2));
+  wall.bounds = bounds_of(wall);
+  for (const double lux : {1e5, 1.0, 1e-5})
+    for (const AccumulationTargets targets_kind : {AccumulationTargets::split, AccumulationTargets::one}) {
+      wall.lights[0].colour = glm::dvec3(lux);
+      const GpuScene scene(std::make_shared<const Scene>(wall));
+      Settings s = closed_settings();
+      s.shading.model = ShadingModel::ggx;
+      s.exposure = 0.6 / lux, s.ambient = 0.2 / s.exposure;
+      s.lights.method = LightMethod::fullscreen;
+      s.layout = Layout::float32;
+      s.accumulation = {AccumulationFormat::rgba16f, targets_kind};
+      const auto set = truth_of(s, scene);
+      renderer.render(s, scene, targets);
+      const Errors errors = measure(set->truth, read_drawn(renderer, s, scene, targets, false), {s.exposure, s.colour});
+      EXPECT_EQ(errors.nonfinite_pixels.value(), 0) << lux;
+      EXPECT_LE(errors.max_linear.value() * s.exposure, 1e-3) << lux << ": a half float's step below 1 is 1/2048";
+    }
 }
 
 TEST_F(ReferenceGl, SeesTheTrianglesThatRaysMeet) {

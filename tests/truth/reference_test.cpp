@@ -68,6 +68,7 @@ TEST(Reference, EveryFalloffFollowsItsFormula) {
       case Attenuation::ramp: return 1 / std::max(1.0, 0.2 + 1.6 * d / r + 6.4 * d * d / (r * r));
       case Attenuation::inverse_linear: return 1 / (1 + 9 * d / r);
       case Attenuation::windowed: return std::pow(1 - std::pow(d / r, 4), 2) / (d * d);
+      case Attenuation::gltf: return (1 - std::pow(d / r, 4)) / (d * d);
     }
     return 0.0;
   };

@@ -4,7 +4,7 @@
 
 #include "app/truth_keeper.h"
 #include "renderer/gbuffer/normal_encoding.h"
-#include "renderer/scenes/scene_look.h"
+#include "renderer/opening/scene_look.h"
 #include "tests/test_paths.h"
 #include "tests/truth/accuracy.h"
 

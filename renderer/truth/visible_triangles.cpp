@@ -1,0 +1,222 @@
+#include "renderer/truth/visible_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "renderer/picture/srgb.h"
+
+namespace gbl {
+namespace {
+
+int wrapped(double at, int size, Wrap wrap) {
+  const double whole = std::floor(at);
+  double within = at - whole;
+  if (wrap == Wrap::clamp) within = std::clamp(at, 0.0, 1.0);
+  if (wrap == Wrap::mirror && std::fmod(std::abs(whole), 2) == 1) within = 1 - within;
+  return std::clamp(static_cast<int>(within * size), 0, size - 1);
+}
+
+// Where a triangle is met, as its textures see it.
+struct TextureAt {
+  glm::dvec2 uv[2] = {glm::dvec2(0), glm::dvec2(0)};  // of the two sets
+  double alpha = 0;                                   // of the vertices' colours
+
+  TextureAt(const Mesh& mesh, const uint32_t* corner, const glm::dvec3& weights) {
+    for (int k = 0; k < 3; ++k) {
+      const Vertex& v = mesh.vertices[corner[k]];
+      uv[0] += weights[k] * glm::dvec2(v.uv), uv[1] += weights[k] * glm::dvec2(v.uv1);
+      alpha += weights[k] * double(v.colour.a);
+    }
+  }
+
+  // 0..1 as stored; white where there is no texture.
+  glm::dvec4 nearest(const Scene& scene, const TextureUse& use) const {
+    if (use.texture == kNoTexture) return glm::dvec4(1);
+    const Texture& t = scene.textures[static_cast<size_t>(use.texture)];
+    const glm::dvec3 at = glm::dmat3(use.uv_transform) * glm::dvec3(uv[use.uv_set], 1);
+    if (t.rgba.empty() || !std::isfinite(at.x + at.y)) return glm::dvec4(1);
+    const auto x = static_cast<size_t>(wrapped(at.x, t.size.x, t.sampler.wrap_u));
+    const auto y = static_cast<size_t>(wrapped(at.y, t.size.y, t.sampler.wrap_v));
+    const uint8_t* texel = &t.rgba[4 * (y * static_cast<size_t>(t.size.x) + x)];
+    return glm::dvec4(texel[0], texel[1], texel[2], texel[3]) / 255.0;
+  }
+};
+
+glm::dvec3 linear(const glm::dvec4& coded) {
+  return {linear_from_srgb(coded.x), linear_from_srgb(coded.y), linear_from_srgb(coded.z)};
+}
+
+// The weights of a triangle's corners are linear in the picture's coordinates, up to a common factor: perspective or
+// orthographic (Olano and Greer 1997, "Triangle Scan Conversion using 2D Homogeneous Coordinates").
+struct Edges {
+  glm::dvec3 at_centre, per_x, per_y;  // the three weights; x and y in normalised device coordinates
+  glm::dvec3 ranges;                   // of the corners, along the view axis
+  glm::ivec2 from{0}, to{0};           // pixels whose centres it may cover; to: one beyond
+};
+
+struct Hit {
+  int instance = -1;
+  uint32_t triangle = 0;
+  double range = INFINITY;
+  glm::dvec3 weights{0};
+};
+
+// Rows `from` up to `to` of the picture.
+class Band {
+ public:
+  Band(const Settings& s, const Scene& scene, int from, int to)
+      : settings_(s), scene_(scene), from_(from), to_(to), rays_(view_rays(s.camera, double(s.size.x) / s.size.y)) {
+    hits_.resize(static_cast<size_t>(to - from) * static_cast<size_t>(s.size.x));
+  }
+
+  void draw_all(Hit* into) {
+    for (size_t i = 0; i < scene_.instances.size(); ++i) draw(i);
+    std::copy(hits_.begin(), hits_.end(), into + static_cast<size_t>(from_) * static_cast<size_t>(settings_.size.x));
+  }
+
+ private:
+  void draw(size_t index) {
+    const Instance& placed = scene_.instances[index];
+    const Mesh& mesh = scene_.meshes[static_cast<size_t>(placed.mesh)];
+    const Material& material = scene_.materials[static_cast<size_t>(placed.material)];
+    if (material.alpha_mode == AlphaMode::blend) return;  // never stored, so never seen by a G-buffer
+    glm::dmat4 relative_from_object = placed.world_from_object;
+    relative_from_object[3] -= glm::dvec4(settings_.camera.position, 0);
+    const bool mirrored = glm::determinant(glm::dmat3(relative_from_object)) < 0;
+    places_.clear();
+    for (const Vertex& v : mesh.vertices)
+      places_.emplace_back(relative_from_object * glm::dvec4(glm::dvec3(v.position), 1));
+    for (uint32_t t = 0; 3 * static_cast<size_t>(t) < mesh.indices.size(); ++t) {
+      const uint32_t* corner = &mesh.indices[3 * static_cast<size_t>(t)];
+      const Edges e = edges_of(places_[corner[0]], places_[corner[1]], places_[corner[2]]);
+      for (int y = e.from.y; y < e.to.y; ++y)
+        for (int x = e.from.x; x < e.to.x; ++x) {
+          Hit hit{static_cast<int>(index), t};
+          Hit& nearest =
+              hits_[static_cast<size_t>(y - from_) * static_cast<size_t>(settings_.size.x) + static_cast<size_t>(x)];
+          if (meets(e, x, y, material.double_sided, mirrored, hit) && hit.range < nearest.range &&
+              !in_hole(mesh, corner, material, hit.weights))
+            nearest = hit;
+        }
+    }
+  }
+
+  Edges edges_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) const {
+    const Camera& camera = settings_.camera;
+    Edges e;
+    e.ranges = {glm::dot(a, camera.forward()), glm::dot(b, camera.forward()), glm::dot(c, camera.forward())};
+    const double nearest = std::min({e.ranges.x, e.ranges.y, e.ranges.z});
+    const double farthest = std::max({e.ranges.x, e.ranges.y, e.ranges.z});
+    if (!(farthest > camera.near && nearest < camera.far)) return e;
+    // The part beyond the near plane: its corners, and where its edges are cut.
+    glm::dvec2 low(INFINITY), high(-INFINITY);
+    const auto include = [&](const glm::dvec3& p, double range) {
+      const glm::dvec2 ndc = on_picture(p, range);
+      low = glm::min(low, ndc), high = glm::max(high, ndc);
+    };
+    const glm::dvec3* corners[3] = {&a, &b, &c};
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      const double from = e.ranges[k] - camera.near, to = e.ranges[next] - camera.near;
+      if (from >= 0) include(*corners[k], e.ranges[k]);
+      if ((from < 0) != (to < 0)) include(glm::mix(*corners[k], *corners[next], from / (from - to)), camera.near);
+    }
+    const auto pixel = [](double at, int least, int most) {
+      return static_cast<int>(std::clamp(at, double(least), double(most)));
+    };
+    const glm::dvec2 size(settings_.size);
+    e.from = {pixel(std::ceil((low.x + 1) / 2 * size.x - 0.5), 0, settings_.size.x),
+              pixel(std::ceil((1 - high.y) / 2 * size.y - 0.5), from_, to_)};
+    e.to = {pixel(std::floor((high.x + 1) / 2 * size.x - 0.5) + 1, 0, settings_.size.x),
+            pixel(std::floor((1 - low.y) / 2 * size.y - 0.5) + 1, from_, to_)};
+    const glm::dvec3 sides[3] = {glm::cross(b, c), glm::cross(c, a), glm::cross(a, b)};
+    if (camera.orthographic()) {
+      // The ray starts aside of the eye: the corners are seen from there, (b - o) x (c - o) . forward.
+      const glm::dvec3 opposite[3] = {c - b, a - c, b - a};
+      for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 turned = glm::cross(opposite[k], rays_.forward);
+        e.at_centre[k] = glm::dot(sides[k], rays_.forward);
+        e.per_x[k] = -glm::dot(rays_.right, turned), e.per_y[k] = -glm::dot(rays_.up, turned);
+      }
+    } else {
+      for (int k = 0; k < 3; ++k) {
+        e.at_centre[k] = glm::dot(sides[k], rays_.forward);
+        e.per_x[k] = glm::dot(sides[k], rays_.right), e.per_y[k] = glm::dot(sides[k], rays_.up);
+      }
+    }
+    return e;
+  }
+
+  glm::dvec2 on_picture(const glm::dvec3& p, double range) const {
+    const double scale = settings_.camera.orthographic() ? 1 : range;
+    return {glm::dot(p, rays_.right) / glm::dot(rays_.right, rays_.right) / scale,
+            glm::dot(p, rays_.up) / glm::dot(rays_.up, rays_.up) / scale};
+  }
+
+  bool meets(const Edges& e, int x, int y, bool double_sided, bool mirrored, Hit& hit) const {
+    const double ndc_x = (x + 0.5) / settings_.size.x * 2 - 1, ndc_y = 1 - (y + 0.5) / settings_.size.y * 2;
+    const glm::dvec3 w = e.at_centre + ndc_x * e.per_x + ndc_y * e.per_y;
+    const bool back = w.x >= 0 && w.y >= 0 && w.z >= 0, front = w.x <= 0 && w.y <= 0 && w.z <= 0;
+    const double sum = w.x + w.y + w.z;  // against the normal where it faces us
+    if (!(back || front) || sum == 0) return false;
+    if (!double_sided && (sum < 0) == mirrored) return false;
+    hit.weights = w / sum;
+    hit.range = glm::dot(hit.weights, e.ranges);
+    return hit.range > settings_.camera.near && hit.range < settings_.camera.far;
+  }
+
+  bool in_hole(const Mesh& mesh, const uint32_t* corner, const Material& m, const glm::dvec3& weights) const {
+    if (m.alpha_mode != AlphaMode::mask) return false;
+    const TextureAt at(mesh, corner, weights);
+    return at.nearest(scene_, m.base_colour_texture).a * at.alpha * double(m.base_colour.a) < double(m.alpha_cutoff);
+  }
+
+  const Settings& settings_;
+  const Scene& scene_;
+  const int from_, to_;
+  const ViewRays rays_;
+  std::vector<Hit> hits_;
+  std::vector<glm::dvec3> places_;  // of a mesh's vertices, relative to the camera
+};
+
+std::vector<Hit> hits_of(const Settings& s, const Scene& scene) {
+  std::vector<Hit> hits(static_cast<size_t>(s.size.x) * static_cast<size_t>(s.size.y));
+  const int bands = std::min(all_processors(), s.size.y);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < bands; ++k)
+    threads.emplace_back(
+        [&, k] { Band(s, scene, s.size.y * k / bands, s.size.y * (k + 1) / bands).draw_all(hits.data()); });
+  for (std::thread& t : threads) t.join();
+  return hits;
+}
+
+SeenTexel texel_of(const Hit& hit, const Scene& scene, Colour colour) {
+  SeenTexel seen;
+  if (hit.instance < 0) return seen;
+  const Instance& placed = scene.instances[static_cast<size_t>(hit.instance)];
+  const Mesh& mesh = scene.meshes[static_cast<size_t>(placed.mesh)];
+  const Material& m = scene.materials[static_cast<size_t>(placed.material)];
+  const TextureAt at(mesh, &mesh.indices[3 * static_cast<size_t>(hit.triangle)], hit.weights);
+  const glm::dvec4 base = at.nearest(scene, m.base_colour_texture), rough = at.nearest(scene, m.roughness_texture);
+  seen.seen = glm::vec4(hit.instance + 1, hit.triangle, rough.y, rough.z);
+  seen.base = glm::vec4(colour == Colour::as_tutorial ? glm::dvec3(base) : linear(base), base.a);
+  seen.normal = glm::vec4(0.5f, 0.5f, 1, at.nearest(scene, m.occlusion_texture).x);
+  seen.emission = glm::vec4(linear(at.nearest(scene, m.emissive_texture)), 0);
+  return seen;
+}
+
+}  // namespace
+
+std::vector<SeenTexel> visible_triangles(const Settings& s, const Scene& scene, bool with_textures) {
+  const std::vector<Hit> hits = hits_of(s, scene);
+  std::vector<SeenTexel> seen(hits.size());
+  for (size_t i = 0; i < hits.size(); ++i)
+    if (with_textures)
+      seen[i] = texel_of(hits[i], scene, s.colour);
+    else
+      seen[i].seen = glm::vec4(hits[i].instance + 1, hits[i].triangle, 0, 0);
+  return seen;
+}
+
+}  // namespace gbl

@@ -1,0 +1,22 @@
+#pragma once
+// What is seen through each pixel, found on the CPU in double: no driver is asked. It costs one pass over all
+// triangles, whatever the picture's size.
+#include <vector>
+
+#include "renderer/truth/truth_geometry.h"
+
+namespace gbl {
+
+// Threads to use when nothing else is to be kept running.
+int all_processors();
+
+// size.x * size.y of the settings, rows top to bottom. Textures are read at their nearest texel, without a normal map:
+// good enough to meter a scene by, not for a reference. Without textures only the triangles are told.
+std::vector<SeenTexel> visible_triangles(const Settings&, const Scene&, bool with_textures = true);
+
+// No driver's word is taken for which triangle is seen: the pixel's ray must meet it, and no other before it, within
+// what a rasteriser may move a corner. Where it does not, the triangle is looked up; where none is found, this is an
+// Error(unfinished) that names the pixel. What textures hold stays as given. Gives the number of triangles replaced.
+size_t check_triangles(const Settings&, const Scene&, std::vector<SeenTexel>&);
+
+}  // namespace gbl
