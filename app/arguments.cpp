@@ -73,6 +73,11 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_flag("--fresh", a.fresh, "start from the preset; nothing is remembered between runs, so this is always so");
     add_number(app, "--frames", a.frames, "draw so many frames and leave", 0, kAnyInt);
   }
+  if (command == "bench") {
+    add_number(app, "--frames", a.frames, "time so many frames; 0: none (default: up to 20)", 0, kAnyInt);
+    app.add_flag("--no-truth", a.no_truth,
+                 "without the reference: no errors, and the GPU counts the pairs that are lit");
+  }
   if (command == "advise") {
     add_settings(app, a);
     add_number(app, "--budget", a.budget, "codes of 255 as displayed that 99.9 % of the pixels must hold (default: 1)",

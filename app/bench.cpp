@@ -22,7 +22,7 @@ void Bench::start(const Settings& s, std::shared_ptr<const GpuScene> scene, Benc
   settings_ = s, scene_ = std::move(scene), wishes_ = wishes;
   truth_.reset();
   timing_ = {}, errors_ = {}, report_ = {}, drawn_ = {};
-  if (cost_.predict_ms(*renderer_.resolve(s, *scene_)) > kCountOnlyMs) wishes_.times = false;
+  if (cost_.predict_ms(*renderer_.resolve(s, *scene_)) > kCountOnlyMs && !wishes_.all_frames) wishes_.times = false;
   phase_ = wishes_.errors ? Phase::truth : wishes_.times ? Phase::warm_up : Phase::judge;
 }
 
@@ -45,7 +45,8 @@ bool Bench::step(bool wait) {
         break;
       case Phase::times:
         time_a_frame();
-        if (timing_.frames >= wishes_.frames || measured_enough(timing_.frames, now_s() - begun_s_, slowest_s_))
+        if (timing_.frames >= wishes_.frames ||
+            (!wishes_.all_frames && measured_enough(timing_.frames, now_s() - begun_s_, slowest_s_)))
           phase_ = Phase::judge;
         break;
       case Phase::judge:

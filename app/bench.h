@@ -10,10 +10,11 @@ namespace gbl {
 double now_s();  // a clock that never goes back
 
 struct BenchWishes {
-  bool errors = true;   // against the reference
-  bool times = true;    // of repeated frames
-  bool columns = true;  // all of them; else of the errors only what bound() needs, and no counts
-  int frames = 20;      // as many are timed, unless they take very long
+  bool errors = true;       // against the reference
+  bool times = true;        // of repeated frames
+  bool columns = true;      // all of them; else of the errors only what bound() needs, and no counts
+  int frames = 20;          // as many are timed, unless they take very long
+  bool all_frames = false;  // however long they take
 };
 
 class Bench {

@@ -29,6 +29,12 @@ void print_text(const MeasuredColumns& row) {
   }
 }
 
+BenchWishes wishes_of(const Arguments& a) {
+  BenchWishes wishes{.errors = !a.no_truth, .times = a.frames != 0};
+  if (a.frames) wishes.frames = *a.frames, wishes.all_frames = true;
+  return wishes;
+}
+
 }  // namespace
 
 ExitCode run_bench(const Arguments& a) {
@@ -39,7 +45,7 @@ ExitCode run_bench(const Arguments& a) {
   require_valid(s, lab.limits());
   lab.open(s.scene);
   Bench bench(lab.renderer(), lab.cost(), lab.machine(), 1);
-  bench.start(s, lab.gpu_scene(), {});
+  bench.start(s, lab.gpu_scene(), wishes_of(a));
   bench.step(true);
   const MeasuredColumns row = bench.row();
   if (a.json)

@@ -10,6 +10,7 @@
 #include "app/lab.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/base/made_by.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/study/study.h"
 #include "renderer/study/study_files.h"
@@ -87,7 +88,7 @@ ExitCode run_study_command(const Arguments& a) {
   print_left_out(plan);
   const fs::path folder = a.output.value_or(fs::path("out") / spec.name);
   make_folder(folder);
-  Journal journal(folder / "rows.jsonl");
+  Journal journal(folder / "rows.jsonl", made_by());
   Bench bench(lab.renderer(), lab.cost(), lab.machine(), 3);
   const InterruptScope scope;
   const StudyCounts counts = run_study(

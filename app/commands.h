@@ -40,7 +40,8 @@ struct Arguments {
   std::optional<std::string> shard;          // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson;
-  std::optional<int> frames;                  // of `view`: draw so many and leave; none or 0: until closed
+  std::optional<int> frames;  // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none
+  bool no_truth = false;      // of `bench`: without the reference
   std::optional<std::filesystem::path> docs;  // of `list`: the folder of the documents' tables
 };
 

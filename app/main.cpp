@@ -1,3 +1,7 @@
 #include "app/commands.h"
+#include "renderer/base/memory.h"
 
-int main(int argc, char** argv) { return gbl::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  gbl::return_freed_memory();
+  return gbl::run_program(argc, argv);
+}

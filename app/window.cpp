@@ -38,6 +38,8 @@ std::string name_of(int key, int scancode) {
   return printed ? printed : "";
 }
 
+constexpr glm::ivec2 kLeast{320, 180};  // for window managers; where there is none the screen stays empty below its own
+
 std::string g_last_error;
 
 }  // namespace
@@ -57,6 +59,7 @@ Window::Window(glm::ivec2 size, const char* title) {
     throw Error(ExitCode::no_gl, "window", fmt::format("no window with OpenGL 3.3 ({})", g_last_error),
                 "install a GL driver; Mesa's software driver is in libgl1-mesa-dri");
   }
+  glfwSetWindowSizeLimits(window_, kLeast.x, kLeast.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(window_, this);

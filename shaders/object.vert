@@ -21,7 +21,8 @@ out vec4 colour;
 flat out uint object_id;
 flat out mat3 object_axes;
 #if TRIANGLE_IDS
-flat out uint triangle;  // of the mesh, from 0: its corners are drawn without sharing
+flat out uint triangle;  // of the mesh, from 0: its corners are drawn without sharing, in parts
+uniform int first_triangle;
 #endif
 // Passes of other programs test for this very depth.
 invariant gl_Position;
@@ -51,6 +52,6 @@ void main() {
   object_id = uint(instance_texel(8).w);
   object_axes = normals;
 #if TRIANGLE_IDS
-  triangle = uint(gl_VertexID) / 3u;
+  triangle = uint(first_triangle + gl_VertexID / 3);
 #endif
 }

@@ -21,8 +21,7 @@ void hover(FrameContext& f, View v, const Box& picture) {
 // Drag on the large picture: look around.
 void use_mouse(FrameContext& f, View v, const Box& panel, const Box& picture) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetCursorScreenPos(panel.min);
-  const bool clicked = ImGui::InvisibleButton(row(v).id, panel.size());
+  const bool clicked = hit_area(row(v).id, panel);
   const bool dragged = io.MouseDragMaxDistanceSqr[0] > 9;
   if (clicked && !dragged) f.settings.view.main = row(v).id;
   if (ImGui::IsItemFocused() && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) f.state.focused = v;

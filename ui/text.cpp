@@ -7,6 +7,12 @@
 
 namespace gbl::ui {
 
+bool hit_area(const char* id, const Box& box) {
+  if (box.width() < 1 || box.height() < 1) return false;
+  ImGui::SetCursorScreenPos(box.min);
+  return ImGui::InvisibleButton(id, box.size());
+}
+
 float line_height(float px) { return std::round(px * 1.28f); }
 
 ImVec2 text_size(std::string_view text, float px, float wrap) {

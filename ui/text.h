@@ -62,6 +62,9 @@ struct Field {
 };
 void draw_fields(Painter&, const Box&, const std::vector<Field>&, float px);
 
+// A part of the window that can be clicked; true when it was. ImGui does not take one without an area: that is skipped.
+bool hit_area(const char* id, const Box&);
+
 float line_height(float px);
 inline float above_text(float px) { return std::floor((line_height(px) - px) / 2); }  // centres it in its line
 float key_cap_width(std::string_view key, float px);

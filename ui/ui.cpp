@@ -10,6 +10,7 @@ namespace gbl::ui {
 namespace {
 
 constexpr float kPresentScale = 1.5f;
+const ImVec2 kLeastWindow = {160, 90};  // below this nothing could be read, and parts of the screen have no area
 
 LayoutInput layout_input(const State& s, const Settings& settings, const Type& type) {
   return {.display = ImGui::GetIO().DisplaySize,
@@ -59,6 +60,10 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   s.cut_texts.clear();
   Requests requests;
   begin_root(ImGui::GetIO().DisplaySize);
+  if (ImGui::GetIO().DisplaySize.x < kLeastWindow.x || ImGui::GetIO().DisplaySize.y < kLeastWindow.y) {
+    ImGui::End();
+    return requests;
+  }
   FrameContext f{s, settings, input, requests, {}, {}, Painter(*ImGui::GetWindowDrawList(), s.cut_texts)};
   f.type = type_of(s);
   f.layout = make_layout(layout_input(s, settings, f.type));

@@ -1,5 +1,6 @@
 #include "renderer/passes/gpu_scene.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -30,10 +31,10 @@ GpuScene::GpuMesh upload(const Mesh& mesh) {
   return m;
 }
 
-GpuScene::GpuMesh upload_unshared(const Mesh& mesh) {
+GpuScene::GpuMesh upload_unshared(const Mesh& mesh, size_t first, size_t end) {
   std::vector<Vertex> corners;
-  corners.reserve(mesh.indices.size());
-  for (const uint32_t i : mesh.indices) corners.push_back(mesh.vertices[i]);
+  corners.reserve(end - first);
+  for (size_t i = first; i < end; ++i) corners.push_back(mesh.vertices[mesh.indices[i]]);
   GpuScene::GpuMesh m;
   m.vertices = upload_vertices(corners, mesh.name);
   m.vertex_array = vertex_array(m.vertices, nullptr);
@@ -80,13 +81,11 @@ GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
   flat_normal_ = gl::make_image({.rgba = flat, .label = "flat normal"});
   srgb_.resize(scene_->textures.size());
   linear_.resize(scene_->textures.size());
-  unshared_.resize(scene_->meshes.size());
 }
 
-const GpuScene::GpuMesh& GpuScene::unshared_mesh(int i) const {
-  const auto k = static_cast<size_t>(i);
-  if (!unshared_[k].vertices) unshared_[k] = upload_unshared(scene_->meshes[k]);
-  return unshared_[k];
+GpuScene::GpuMesh GpuScene::unshared_part(int i, size_t first_triangle) const {
+  const Mesh& mesh = scene_->meshes[static_cast<size_t>(i)];
+  return upload_unshared(mesh, 3 * first_triangle, std::min(mesh.indices.size(), 3 * (first_triangle + kPart)));
 }
 
 const gl::Texture& GpuScene::uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const {

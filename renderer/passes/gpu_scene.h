@@ -22,9 +22,10 @@ class GpuScene {
     GLsizei index_count = 0;
   };
   const GpuMesh& mesh(int i) const { return meshes_[i]; }
-  // The same triangles without shared corners and without indices, so that gl_VertexID / 3 is the triangle's number
-  // on every device; made at first use.
-  const GpuMesh& unshared_mesh(int i) const;
+  // Some of its triangles without shared corners and without indices, so that gl_VertexID / 3 counts them on every
+  // device: kPart of them from `first_triangle`. For once: of a large mesh all would take many times its own memory.
+  GpuMesh unshared_part(int i, size_t first_triangle) const;
+  static constexpr size_t kPart = 16384;  // 3.5 MB
 
   // Instances that share mesh, material and winding: one draw.
   struct Batch {
@@ -44,7 +45,6 @@ class GpuScene {
 
   std::shared_ptr<const Scene> scene_;
   std::vector<GpuMesh> meshes_;
-  mutable std::vector<GpuMesh> unshared_;
   std::vector<Batch> batches_;
   gl::Texture white_, flat_normal_;
   mutable std::vector<gl::Texture> srgb_, linear_;  // made at first use: a scene may need only one of the two

@@ -104,6 +104,17 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
   glUniform1iv(program.find_uniform("uv_set"), MATERIAL_TEXTURES, sets);
 }
 
+// In parts: of a large mesh, corners without sharing take many times its memory.
+void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program& program) {
+  const size_t triangles = frame.scene.scene().meshes[static_cast<size_t>(draw.batch->mesh)].indices.size() / 3;
+  for (size_t first = 0; first < triangles; first += GpuScene::kPart) {
+    const GpuScene::GpuMesh part = frame.scene.unshared_part(draw.batch->mesh, first);
+    glUniform1i(program.uniform("first_triangle"), static_cast<GLint>(first));
+    glBindVertexArray(part.vertex_array.id());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, part.index_count, draw.count);
+  }
+}
+
 }  // namespace
 
 std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
@@ -140,20 +151,19 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     gl::Defines all = defines;
     for (gl::Define& d : material_defines(frame.settings, material)) all.push_back(std::move(d));
     const gl::Program& program = frame.programs.get("object.vert", fragment, all);
-    const bool numbered = corners == Corners::numbered;
-    const int index = draw.batch->mesh;
-    const GpuScene::GpuMesh& mesh = numbered ? frame.scene.unshared_mesh(index) : frame.scene.mesh(index);
     glUseProgram(program.id());
     bind_material(frame, program, material);
     if (set_uniforms) set_uniforms(program);
     glUniform1i(program.uniform("first_instance"), draw.first);
     gl::apply_cull(material.double_sided ? gl::Cull::off : gl::Cull::back);
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
+    if (corners == Corners::numbered) {
+      draw_numbered(frame, draw, program);
+      continue;
+    }
+    const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
     glBindVertexArray(mesh.vertex_array.id());
-    if (numbered)
-      glDrawArraysInstanced(GL_TRIANGLES, 0, mesh.index_count, draw.count);
-    else
-      glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
+    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
   }
   return static_cast<int>(draws.size());
 }

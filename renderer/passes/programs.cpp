@@ -134,15 +134,24 @@ const gl::Program& ProgramCache::get_compute(std::string_view file, const gl::De
 }
 
 const gl::Program& ProgramCache::get(Variant v) {
-  const auto found = programs_.find(v);
-  if (found != programs_.end()) return found->second;
-  gl::Program program = compile(v);
-  return programs_.emplace(std::move(v), std::move(program)).first->second;
+  auto found = programs_.find(v);
+  if (found == programs_.end()) {
+    gl::Program program = compile(v);
+    if (programs_.size() >= kMost) forget_oldest();
+    found = programs_.emplace(std::move(v), Kept{std::move(program)}).first;
+  }
+  found->second.used = ++uses_;
+  return found->second.program;
+}
+
+void ProgramCache::forget_oldest() {
+  programs_.erase(std::min_element(programs_.begin(), programs_.end(),
+                                   [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));
 }
 
 void ProgramCache::reload() {
-  std::map<Variant, gl::Program> fresh;
-  for (const auto& [variant, old] : programs_) fresh.emplace(variant, compile(variant));
+  std::map<Variant, Kept> fresh;
+  for (const auto& [variant, old] : programs_) fresh.emplace(variant, Kept{compile(variant), old.used});
   programs_ = std::move(fresh);
 }
 

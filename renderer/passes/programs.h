@@ -27,7 +27,12 @@ void append_surface_defines(gl::Defines&, const Settings&, bool emission_kept);
 
 class ProgramCache {
  public:
-  // The program of these files and defines; compiled at first use. Error with file and line if it does not compile.
+  // A driver keeps a megabyte and more per program, and settings make thousands of variants. A frame with all its views
+  // uses some forty.
+  static constexpr size_t kMost = 192;
+
+  // The program of these files and defines; compiled at first use. Error with file and line if it does not compile. Good
+  // until kMost others have been asked for.
   const gl::Program& get(std::string_view vertex, std::string_view fragment, const gl::Defines&);
 
   const gl::Program& get_compute(std::string_view file, const gl::Defines&);
@@ -44,7 +49,14 @@ class ProgramCache {
   };
   static gl::Program compile(const Variant&);
   const gl::Program& get(Variant);
-  std::map<Variant, gl::Program> programs_;
+  void forget_oldest();
+
+  struct Kept {
+    gl::Program program;
+    uint64_t used = 0;  // when: a count of all uses
+  };
+  std::map<Variant, Kept> programs_;
+  uint64_t uses_ = 0;
 };
 
 }  // namespace gbl

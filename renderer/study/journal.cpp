@@ -42,7 +42,8 @@ int open_to_append(const std::filesystem::path& path) {
 
 }  // namespace
 
-Journal::Journal(std::filesystem::path path) : path_(std::move(path)), file_(open_to_append(path_)) {
+Journal::Journal(std::filesystem::path path, std::string made_by)
+    : path_(std::move(path)), made_by_(std::move(made_by)), file_(open_to_append(path_)) {
   try {
     read();
   } catch (...) {
@@ -81,13 +82,13 @@ void Journal::take(StudyRow row) {
   const auto [it, is_new] = by_key_.emplace(row.key, rows_.size());
   if (is_new)
     rows_.push_back(std::move(row));
-  else if (rows_[it->second].failed)
-    rows_[it->second] = std::move(row);
+  else if (StudyRow& known = rows_[it->second]; known.failed || (!counts(known) && counts(row)))
+    known = std::move(row);
 }
 
 bool Journal::has(std::string_view key) const {
   const auto it = by_key_.find(key);
-  return it != by_key_.end() && !rows_[it->second].failed;
+  return it != by_key_.end() && counts(rows_[it->second]);
 }
 
 void Journal::append(const StudyRow& row) {
@@ -103,6 +104,10 @@ void Journal::append(const StudyRow& row) {
     static_cast<void>(::ftruncate(file_, before.st_size) + 0);
     cannot_write(path_, error);
   }
+  struct stat named {};
+  if (::stat(path_.c_str(), &named) != 0 || named.st_ino != before.st_ino || named.st_dev != before.st_dev)
+    throw Error(ExitCode::unfinished, path_.string(), "was deleted or replaced while the study ran",
+                "run the study again: what had been measured went with the file");
   take(*parse_journal_line(line, path_.string()));  // as the next run will find it
 }
 

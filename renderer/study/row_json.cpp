@@ -1,11 +1,11 @@
 #include "renderer/study/row_json.h"
 
 #include <cmath>
-#include <cstdint>
 #include <fmt/format.h>
 #include <limits>
 
 #include "renderer/base/json.h"
+#include "renderer/base/made_by.h"
 #include "renderer/options/data_file.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/study/study_paths.h"
@@ -13,7 +13,8 @@
 namespace gbl {
 namespace {
 
-constexpr const char* kPlaces[] = {"study", "case", "key", "at", "failed", "settings"};  // all else is a column
+constexpr const char* kPlaces[] = {"study",  "case",    "key",     "at",
+                                   "failed", "made_by", "settings"};  // all else is a column
 
 bool is_column(std::string_view member) {
   for (const std::string_view place : kPlaces)
@@ -34,13 +35,6 @@ ColumnValue value_of(const Json& json) {
   if (!text) return {};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return *text == "inf" ? ColumnValue(kInfinity) : *text == "-inf" ? ColumnValue(-kInfinity) : ColumnValue(*text);
-}
-
-// Fowler, Noll and Vo: FNV-1a, 64 bits.
-uint64_t fnv1a(std::string_view text) {
-  uint64_t hash = 0xcbf29ce484222325ull;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  return hash;
 }
 
 }  // namespace
@@ -76,6 +70,7 @@ Json to_json(const StudyRow& row) {
   json["at"] = Json::object();
   for (const Assignment& a : row.at) json["at"][a.path] = to_json(a.value);
   if (row.failed) json["failed"] = *row.failed;
+  if (!row.made_by.empty()) json["made_by"] = row.made_by;
   append_cells(json, row.cells);
   json["settings"] = to_json(row.settings);
   return json;
@@ -96,6 +91,7 @@ std::optional<StudyRow> parse_journal_line(std::string_view line, std::string_vi
       row.at.push_back(
           {path, look_up(where, [&, &p = path, &v = value] { return checked_value(p, option_value(v)); })});
   if (json.contains("failed")) row.failed = text_in(json, "failed");
+  row.made_by = text_in(json, "made_by");
   for (const auto& [column, value] : json.items())
     if (is_column(column)) row.cells.push_back({column, value_of(value)});
   row.settings = from_json(json["settings"], where);

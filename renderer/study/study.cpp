@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/made_by.h"
 #include "renderer/base/number.h"
 #include "renderer/study/row_json.h"
 
@@ -36,11 +37,11 @@ std::optional<StudyRow> measured(const StudyPlan& plan, const Todo& todo, const 
 }  // namespace
 
 StudyRow measured_row(const std::string& study, const StudyCase& c, MeasuredColumns m) {
-  return {study, c.id, row_key(c.settings), c.at, {}, std::move(m.cells), std::move(m.drawn)};
+  return {study, c.id, row_key(c.settings), c.at, {}, std::move(m.cells), std::move(m.drawn), made_by()};
 }
 
 StudyRow failed_row(const std::string& study, const StudyCase& c, const std::string& reason) {
-  return {study, c.id, row_key(c.settings), c.at, reason, {}, c.settings};
+  return {study, c.id, row_key(c.settings), c.at, reason, {}, c.settings, made_by()};
 }
 
 Shard parse_shard(std::string_view text) {

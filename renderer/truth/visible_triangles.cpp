@@ -84,12 +84,12 @@ class Band {
     glm::dmat4 relative_from_object = placed.world_from_object;
     relative_from_object[3] -= glm::dvec4(settings_.camera.position, 0);
     const bool mirrored = glm::determinant(glm::dmat3(relative_from_object)) < 0;
-    places_.clear();
-    for (const Vertex& v : mesh.vertices)
-      places_.emplace_back(relative_from_object * glm::dvec4(glm::dvec3(v.position), 1));
+    const auto place = [&](uint32_t vertex) {
+      return glm::dvec3(relative_from_object * glm::dvec4(glm::dvec3(mesh.vertices[vertex].position), 1));
+    };
     for (uint32_t t = 0; 3 * static_cast<size_t>(t) < mesh.indices.size(); ++t) {
       const uint32_t* corner = &mesh.indices[3 * static_cast<size_t>(t)];
-      const Edges e = edges_of(places_[corner[0]], places_[corner[1]], places_[corner[2]]);
+      const Edges e = edges_of(place(corner[0]), place(corner[1]), place(corner[2]));
       for (int y = e.from.y; y < e.to.y; ++y)
         for (int x = e.from.x; x < e.to.x; ++x) {
           Hit hit{static_cast<int>(index), t};
@@ -177,7 +177,6 @@ class Band {
   const int from_, to_;
   const ViewRays rays_;
   std::vector<Hit> hits_;
-  std::vector<glm::dvec3> places_;  // of a mesh's vertices, relative to the camera
 };
 
 std::vector<Hit> hits_of(const Settings& s, const Scene& scene) {

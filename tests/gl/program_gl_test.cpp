@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gl/texture_units.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/programs.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {
@@ -51,6 +52,23 @@ std::vector<std::map<std::string, GLint>> samplers_of_all_programs() {
     all.push_back(std::move(units));
   }
   return all;
+}
+
+// Keys in a window reach thousands of variants; a driver keeps a megabyte and more for each.
+TEST_F(Programs, OnlySoManyAreKeptAndTheLatestAmongThem) {
+  ProgramCache cache;
+  const int before = gl::live_names();
+  const auto ask = [&](int k) -> const gl::Program& {
+    return cache.get("fullscreen.vert", "error_colour.frag", {{"COLOUR_STOPS", 2}, {"VARIANT", k}});
+  };
+  const GLuint first = ask(0).id();
+  const auto most = static_cast<int>(ProgramCache::kMost);
+  for (int k = 1; k < most; ++k) ask(k);
+  EXPECT_EQ(ask(0).id(), first) << "it is still there";
+  for (int k = most; k < most + 20; ++k) ask(k);
+  EXPECT_EQ(cache.size(), ProgramCache::kMost);
+  EXPECT_EQ(ask(0).id(), first) << "used again, it was not among the oldest";
+  EXPECT_EQ(gl::live_names() - before, most) << "what is forgotten is deleted";
 }
 
 TEST_F(Programs, EverySamplerOfEveryProgramReadsAUnitOfItsOwn) {

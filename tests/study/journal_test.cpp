@@ -60,6 +60,37 @@ TEST(Journal, KeepsRowsAndKnowsThemAgain) {
   EXPECT_TRUE(again.rows() == (std::vector<StudyRow>{good("a", 1), good("b", 2)}));
 }
 
+// A number of another version, or of other shaders, is another measurement.
+TEST(Journal, WhatAnotherProgramMeasuredIsMeasuredAgain) {
+  const TemporaryFolder folder("journal-version");
+  const fs::path path = folder / "rows.jsonl";
+  StudyRow old = good("a", 1), ours = good("a", 2);
+  old.made_by = "0.1.0 0123456789abcdef", ours.made_by = "0.9.0 0123456789abcdef";
+  write(path, line(old) + line(good("b")));
+  {
+    Journal journal(path, ours.made_by);
+    EXPECT_FALSE(journal.has("a"));
+    EXPECT_FALSE(journal.has("b")) << "a program that did not say who it was";
+    EXPECT_TRUE(journal.rows().at(0) == old) << "it is shown until it is measured again";
+    journal.append(ours);
+    EXPECT_TRUE(journal.has("a"));
+  }
+  Journal again(path, ours.made_by);
+  EXPECT_TRUE(again.has("a"));
+  EXPECT_TRUE(again.rows().at(0) == ours);
+}
+
+TEST(Journal, AFileThatIsDeletedUnderTheStudyIsAnError) {
+  const TemporaryFolder folder("journal-deleted");
+  const fs::path path = folder / "rows.jsonl";
+  Journal journal(path);
+  journal.append(good("a"));
+  fs::remove(path);
+  EXPECT_TRUE(contains(error_line(ExitCode::unfinished, [&] { journal.append(good("b")); }), "deleted or replaced"));
+  write(path, "");  // another file of that name is not the study's
+  EXPECT_TRUE(contains(error_line(ExitCode::unfinished, [&] { journal.append(good("b")); }), "deleted or replaced"));
+}
+
 TEST(Journal, ATornLastLineIsDropped) {
   const TemporaryFolder folder("journal-torn");
   const fs::path path = folder / "rows.jsonl";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "renderer/base/made_by.h"
 #include "renderer/study/row_json.h"
 #include "tests/test_support.h"
 
@@ -40,7 +41,7 @@ TEST(RunStudy, ARowSaysWhoseItIs) {
   EXPECT_EQ(counts.failed + counts.before + counts.left, 0u);
   const StudyCase& c = plan.cases[1];
   const StudyRow expected{"counting", "lights=1",          row_key(c.settings), {{"lights", 1}},
-                          {},         {{"draw_calls", 1}}, c.settings};
+                          {},         {{"draw_calls", 1}}, c.settings,          made_by()};
   EXPECT_TRUE(desk.journal.rows().at(1) == expected);
 }
 

@@ -33,6 +33,25 @@ TEST(Panels, EachOpensByItsKeyAndEscClosesIt) {
     }
 }
 
+// ImGui stops the program for a button without an area: none may be asked for, whatever the window's shape.
+TEST(Panels, EachLivesInAWindowOfAnySize) {
+  constexpr float kSides[] = {1, 2, 4, 10, 90, 100, 161, 240, 400, 900, 1600};
+  for (const Panel* p : panels())
+    for (const bool present : {false, true}) {
+      Desk desk({1600, 900}, present);
+      desk.frame({presses_of(key_row_of(*p)).front()});
+      for (const float width : kSides)
+        for (const float height : kSides) {
+          ImGui::GetIO().DisplaySize = {width, height};
+          desk.frame();
+          desk.frame();
+        }
+      ImGui::GetIO().DisplaySize = {1600, 900};
+      desk.frame();
+      EXPECT_TRUE(desk.ui.is_open(p->id)) << p->id;
+    }
+}
+
 TEST(Panels, EachHasItsKeysInTheListOfKeys) {
   for (const Panel* p : panels()) {
     const KeyRow row = key_row_of(*p);

@@ -82,9 +82,8 @@ std::vector<LegendRow> legend_rows(const ChartState& s, const ChartView& v) {
 
 void use_legend(FrameContext& f, const ChartView& v, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
-    ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("family", places[i].size())) toggle_family(f.state.of<ChartState>(), v.families[i].name);
+    if (hit_area("family", places[i])) toggle_family(f.state.of<ChartState>(), v.families[i].name);
     ImGui::PopID();
   }
 }

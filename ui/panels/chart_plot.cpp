@@ -173,8 +173,7 @@ void draw_chart_points(FrameContext& f, Painter& p, Plot& plot, const ChartView&
 // Point: read it. Click: apply it. Drag: move the plot. Wheel: zoom.
 void use_chart_mouse(FrameContext& f, const Plot& plot, const ChartView& v) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetCursorScreenPos(plot.frame().min);
-  const bool clicked = ImGui::InvisibleButton("plot", plot.frame().size());
+  const bool clicked = hit_area("plot", plot.frame());
   const bool dragged = io.MouseDragMaxDistanceSqr[0] > 9;
   if (ImGui::IsItemActive() && dragged) return pan(f, plot, v);
   if (!ImGui::IsItemHovered()) return;

@@ -78,8 +78,7 @@ void draw_chooser(FrameContext& f, Painter& p, const Box& box) {
   for (size_t i = 0; i < s.lessons.size(); ++i, at.y += row) {
     const Lesson& lesson = s.lessons[i];
     const Box line{{box.min.x + pad / 2, at.y}, {box.max.x - pad / 2, at.y + row - 2}};
-    ImGui::SetCursorScreenPos(line.min);
-    if (ImGui::InvisibleButton(lesson.id.c_str(), line.size())) clicked = i;
+    if (hit_area(lesson.id.c_str(), line)) clicked = i;
     if (ImGui::IsItemHovered()) s.chosen = i;
     if (i == s.chosen) p.outline(line, kAccent, 2);
     const float top = at.y + (row - line_height(px)) / 2;

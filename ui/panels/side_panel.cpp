@@ -48,8 +48,7 @@ void draw_panel_keys(FrameContext& f, Painter& p, const Box& box, std::span<cons
     const float cap = p.key_cap(h.box.min, px, h.cap);
     p.text({h.box.min.x + cap + px * 0.4f, h.box.min.y + above_text(px)}, px, kDim, h.row->words);
     if (h.cap.size() > 1) continue;  // several keys: not one button
-    ImGui::SetCursorScreenPos(h.box.min);
-    if (ImGui::InvisibleButton(h.row->words, h.box.size())) h.row->run(f, {h.cap});
+    if (hit_area(h.row->words, h.box)) h.row->run(f, {h.cap});
   }
 }
 

@@ -92,9 +92,8 @@ void use_legend(FrameContext& f, Painter& p, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
     if (i == f.state.of<StabilityState>().curve)
       p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
-    ImGui::SetCursorScreenPos(places[i].min);
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::InvisibleButton("curve", places[i].size())) f.state.of<StabilityState>().curve = i;
+    if (hit_area("curve", places[i])) f.state.of<StabilityState>().curve = i;
     ImGui::PopID();
   }
 }

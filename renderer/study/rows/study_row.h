@@ -17,6 +17,7 @@ struct StudyRow {
   std::optional<std::string> failed;  // why; then there are no cells
   std::vector<Cell> cells;            // in the order of files
   Settings settings;                  // as drawn; of a row that failed as asked for
+  std::string made_by;                // renderer/base/made_by.h; empty: of a program that did not say so
 
   // Empty: not measured.
   std::optional<double> number(std::string_view column) const;

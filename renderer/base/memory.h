@@ -1,0 +1,14 @@
+#pragma once
+// How this process uses memory.
+#include <cstdint>
+
+namespace gbl {
+
+// Large blocks go back to the system when they are freed. By default glibc stops doing so for blocks like those freed
+// before, up to 32 MB: scenes, references and read-backs that come and go then leave a heap full of holes, 700 MB of
+// 1300 after minutes of use. To be called once, at the start. Nothing where the C library is another.
+void return_freed_memory();
+
+uint64_t resident_bytes();  // of this process now; 0 where the system does not say
+
+}  // namespace gbl
