@@ -1,10 +1,12 @@
 // `advise`: the cheapest set-up for a scene that holds an error budget, what it leaves out and why, and the runner-up.
+#include <cmath>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/advice_bench.h"
 #include "app/commands.h"
 #include "app/headless.h"
+#include "app/interrupt.h"
 #include "app/lab.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
@@ -32,9 +34,14 @@ AdviceCost cost_of(const std::string& id) {
   throw Error(ExitCode::bad_input, "--cost", fmt::format("unknown cost '{}'", id), suggest(id, known));
 }
 
+// One line that is written over on a terminal; in a log a line every so often.
 void show_progress(const std::string& what) {
-  if (!isatty(STDERR_FILENO)) return;
-  fmt::print(stderr, "\r\033[K{:.110}", what);
+  constexpr double kLogSeconds = 10;
+  static double last_s = 0;
+  const bool terminal = isatty(STDERR_FILENO);
+  if (!terminal && (what.empty() || now_s() - last_s < kLogSeconds)) return;
+  last_s = now_s();
+  fmt::print(stderr, "{}{:.110}{}", terminal ? "\r\033[K" : "", what, terminal ? "" : "\n");
   std::fflush(stderr);
 }
 
@@ -57,6 +64,12 @@ Json json_of(const std::optional<AdvisedSetup>& s) {
           {"settings", to_json(s->settings)}};
 }
 
+Json json_of(const std::vector<AdvisedSetup>& all) {
+  Json out = Json::array();
+  for (const AdvisedSetup& s : all) out.push_back(json_of(std::optional(s)));
+  return out;
+}
+
 Json json_of(const std::vector<Tried>& all) {
   Json out = Json::array();
   for (const Tried& t : all)
@@ -67,7 +80,8 @@ Json json_of(const std::vector<Tried>& all) {
 
 void print_setup(const char* title, const std::optional<AdvisedSetup>& s, AdviceCost cost) {
   if (!s) return;
-  fmt::print("{}: {:.4g} {}, {} bytes per pixel\n  {}\n", title, s->cost, row(cost).unit, s->bytes_per_pixel,
+  const std::string cost_text = std::isnan(s->cost) ? "" : fmt::format("{:.4g} {}, ", s->cost, row(cost).unit);
+  fmt::print("{}: {}{} bytes per pixel\n  {}\n", title, cost == AdviceCost::bytes ? "" : cost_text, s->bytes_per_pixel,
              in_words(setup_values(s->settings)));
   fmt::print("  worst of {} cameras: {} of {} pixels over, the worst by {:.2f} codes at {}, {}; {} excused\n",
              kAdviceCameras, s->proof.worst.over, s->proof.worst.compared, 255 * s->proof.worst.worst,
@@ -75,8 +89,15 @@ void print_setup(const char* title, const std::optional<AdvisedSetup>& s, Advice
 }
 
 void print_text(const Advice& advice, AdviceCost cost) {
-  print_setup("cheapest", advice.best, cost);
+  if (cost == AdviceCost::time && !advice.measured.empty())
+    fmt::print(
+        "the fastest of {} set-ups that hold and were measured; bytes and pairs are searched wholly, times are not\n",
+        advice.measured.size());
+  print_setup(advice.stopped ? "stopped; cheapest so far" : "cheapest", advice.best, cost);
   print_setup("runner-up", advice.runner_up, cost);
+  for (const AdvisedSetup& m : advice.measured)
+    fmt::print("measured: {:8.4g} {}  {:3} B/px  {}\n", m.cost, row(cost).unit, m.bytes_per_pixel,
+               in_words(setup_values(m.settings)));
   for (const Tried& t : advice.rejected)
     fmt::print("does not hold together: {} ({} pixels over, worst {:.2f} codes)\n", in_words(t.values), t.worst.over,
                255 * t.worst.worst);
@@ -107,19 +128,24 @@ ExitCode run_advise(const Arguments& a) {
     bench.step(true);
     return bench.cost();
   };
-  const std::atomic<bool> never{false};
-  const Advice advice = advise(s, lab.scene(), budget, cost, lab.limits(), judge, measure, show_progress, never);
+  show_progress("the reference from the first camera");
+  const InterruptScope scope;
+  const Advice advice =
+      advise(s, lab.scene(), budget, cost, lab.limits(), judge, measure, show_progress, scope.interrupted());
   show_progress("");
   if (a.json)
     fmt::print("{}\n", Json{{"best", json_of(advice.best)},
                             {"runner_up", json_of(advice.runner_up)},
                             {"values", json_of(advice.values)},
                             {"rejected", json_of(advice.rejected)},
+                            {"measured", json_of(advice.measured)},
                             {"left_out", advice.left_out},
+                            {"stopped", advice.stopped},
                             {"cost_unit", row(cost).unit}}
                            .dump(2));
   else
     print_text(advice, cost);
+  if (advice.stopped) return ExitCode::interrupted;
   if (!advice.best) {
     fmt::print(stderr, "gbufferlab: no set-up holds this budget: even float32 is beyond it somewhere\n");
     return ExitCode::check_failed;

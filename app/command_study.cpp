@@ -1,12 +1,12 @@
 // `study`: a product of set-ups, each measured as a row; resumed, shared between machines, and drawn as a chart.
 #include <cmath>
-#include <csignal>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "app/bench.h"
 #include "app/commands.h"
 #include "app/headless.h"
+#include "app/interrupt.h"
 #include "app/lab.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
@@ -19,29 +19,6 @@ namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<bool> interrupted{false};
-
-constexpr int kEndings[] = {SIGINT, SIGTERM};  // Ctrl+C, and a system that shuts down
-
-// Either ends the row under way and keeps the others; a second one ends the program.
-class InterruptScope {
- public:
-  InterruptScope() {
-    for (size_t i = 0; i < std::size(kEndings); ++i) before_[i] = std::signal(kEndings[i], &InterruptScope::handle);
-  }
-  ~InterruptScope() {
-    for (size_t i = 0; i < std::size(kEndings); ++i) std::signal(kEndings[i], before_[i]);
-  }
-  InterruptScope(const InterruptScope&) = delete;
-
- private:
-  static void handle(int signal) {
-    interrupted = true;
-    std::signal(signal, SIG_DFL);
-  }
-  void (*before_[std::size(kEndings)])(int);
-};
 
 std::string time_left(std::optional<double> seconds) {
   if (!seconds) return "";
@@ -93,7 +70,7 @@ ExitCode run_study_command(const Arguments& a) {
   const InterruptScope scope;
   const StudyCounts counts = run_study(
       plan, shard, journal, [&](const StudyCase& c) { return measured_columns(lab, bench, c.settings); },
-      print_progress, interrupted);
+      print_progress, scope.interrupted());
   write_study_files(folder, spec, journal.rows(), lab.machine());
   const std::string summary = fmt::format("{}: {} rows measured, {} found, {} failed, {} left", spec.name,
                                           counts.measured, counts.before, counts.failed, counts.left);
@@ -101,7 +78,7 @@ ExitCode run_study_command(const Arguments& a) {
     fmt::print("{}\n", study_json(spec, journal.rows(), lab.machine()).dump(2));
   else
     fmt::print("{}; study.csv, .json, .svg, .png in {}\n", summary, folder.string());
-  if (interrupted) return ExitCode::interrupted;
+  if (scope.interrupted()) return ExitCode::interrupted;
   return counts.failed > 0 ? ExitCode::check_failed : ExitCode::done;
 }
 

@@ -3,6 +3,9 @@
 #include <epoxy/gl.h>
 
 #include <GLFW/glfw3.h>
+#include <cstdio>
+#include <cstdlib>
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <utility>
 
@@ -42,6 +45,19 @@ constexpr glm::ivec2 kLeast{320, 180};  // for window managers; where there is n
 
 std::string g_last_error;
 
+// Xlib ends the program with exit code 1 when its display goes. Asked for by name: GLFW brings the library, or, where
+// windows are not X11's, does not.
+int display_lost(void*) {
+  std::fputs("gbufferlab: window: the display was lost; start it again, pictures that were saved are kept\n", stderr);
+  std::_Exit(static_cast<int>(ExitCode::unfinished));
+}
+
+void name_lost_displays() {
+  using Handler = int (*)(void*);
+  using SetHandler = Handler (*)(Handler);
+  if (void* found = dlsym(RTLD_DEFAULT, "XSetIOErrorHandler")) reinterpret_cast<SetHandler>(found)(display_lost);
+}
+
 }  // namespace
 
 Window::Window(glm::ivec2 size, const char* title) {
@@ -49,6 +65,7 @@ Window::Window(glm::ivec2 size, const char* title) {
   if (!glfwInit())
     throw Error(ExitCode::no_gl, "window", fmt::format("no display ({})", g_last_error),
                 "start it in a desktop session, or use `render`, which needs none");
+  name_lost_displays();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

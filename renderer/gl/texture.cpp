@@ -88,9 +88,12 @@ Texture make_image(const ImageDesc& d) {
   state_pixel_storage();
   set_sampling(kFiltering[static_cast<int>(d.min)], kFiltering[static_cast<int>(d.mag)],
                kAddress[static_cast<int>(d.address_u)], kAddress[static_cast<int>(d.address_v)]);
-  attempt({d.label, asked("an image", d.size, d.srgb ? "sRGB8" : "RGBA8", 4), "make the image smaller"}, [&] {
-    glTexImage2D(GL_TEXTURE_2D, 0, d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, d.size.x, d.size.y, 0, GL_RGBA,
-                 GL_UNSIGNED_BYTE, d.rgba);
+  const GLint format = d.rgba16 ? GL_RGBA16 : d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+  const char* name = d.rgba16 ? "RGBA16" : d.srgb ? "sRGB8" : "RGBA8";
+  attempt({d.label, asked("an image", d.size, name, d.rgba16 ? 8 : 4), "make the image smaller"}, [&] {
+    const void* texels = d.rgba16 ? d.rgba16 : d.rgba;
+    glTexImage2D(GL_TEXTURE_2D, 0, format, d.size.x, d.size.y, 0, GL_RGBA,
+                 d.rgba16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, texels);
     if (d.min != Filtering::nearest && d.min != Filtering::linear) glGenerateMipmap(GL_TEXTURE_2D);
   });
   set_label(GL_TEXTURE, t.id(), d.label);

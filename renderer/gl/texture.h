@@ -38,8 +38,9 @@ enum class Filtering {
 
 struct ImageDesc {
   glm::ivec2 size{1, 1};
-  const void* rgba = nullptr;  // 8 bits a channel, first row = texture row 0
-  bool srgb = false;           // decoded to linear when sampled
+  const void* rgba = nullptr;        // 8 bits a channel, first row = texture row 0
+  const uint16_t* rgba16 = nullptr;  // or 16, linear; not together with srgb
+  bool srgb = false;                 // decoded to linear when sampled
   Address address_u = Address::repeat, address_v = Address::repeat;
   Filtering min = Filtering::linear_mipmap_linear, mag = Filtering::linear;
   std::string_view label;

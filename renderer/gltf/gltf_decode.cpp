@@ -37,8 +37,8 @@ Encoded open_image(const Document& document, int image, uint64_t& texture_bytes,
       encoded.bytes = encoded.own;
     }
     encoded.size = image_size(encoded.bytes);
-    const uint64_t needed =
-        static_cast<uint64_t>(encoded.size.width) * static_cast<uint64_t>(encoded.size.height) * 4 * copies;
+    const uint64_t needed = static_cast<uint64_t>(encoded.size.width) * static_cast<uint64_t>(encoded.size.height) * 4 *
+                            copies * (static_cast<uint64_t>(encoded.size.bits) / 8);
     if (needed > kMaxTextureBytes - texture_bytes) throw Broken("all textures together would be too large");
     texture_bytes += needed;
   } catch (const Broken& broken) {
@@ -51,9 +51,10 @@ Encoded open_image(const Document& document, int image, uint64_t& texture_bytes,
 void fill(Scene& scene, const ImageJob& job, Encoded& encoded) {
   if (encoded.failure.empty()) try {
       const auto textures = [&](size_t i) -> Texture& { return scene.textures[static_cast<size_t>(job.textures[i])]; };
-      textures(0).rgba = decode_image(encoded.bytes, encoded.size);
+      Texels texels = decode_image(encoded.bytes, encoded.size);
+      textures(0).rgba = std::move(texels.bytes), textures(0).rgba16 = std::move(texels.words);
       for (size_t i = 0; i < job.textures.size(); ++i) {
-        if (i > 0) textures(i).rgba = textures(0).rgba;
+        if (i > 0) textures(i).rgba = textures(0).rgba, textures(i).rgba16 = textures(0).rgba16;
         textures(i).size = {encoded.size.width, encoded.size.height};
       }
     } catch (const Broken& broken) {
@@ -78,7 +79,7 @@ std::string name_of(const Document& document, int image) {
 void fill_placeholder(Texture& texture) {
   constexpr int kSide = 8;
   texture.size = {kSide, kSide};
-  texture.rgba.clear();
+  texture.rgba.clear(), texture.rgba16.clear();
   for (int i = 0; i < kSide * kSide; ++i) {
     const bool magenta = (i / kSide + i % kSide) % 2 == 0;
     for (const uint8_t channel : {magenta ? 255 : 0, 0, magenta ? 255 : 0, 255}) texture.rgba.push_back(channel);

@@ -42,20 +42,32 @@ ImageSize image_size(std::span<const uint8_t> encoded) {
       width * height > kMaxImageTexels)
     throw Broken(fmt::format("it has {} x {} texels, at most {} a side and {} in all are read", size.width, size.height,
                              kMaxImageSide, kMaxImageTexels));
+  size.bits = stbi_is_16_bit_from_memory(encoded.data(), stb_length(encoded)) ? 16 : 8;
   return size;
 }
 
-std::vector<uint8_t> decode_image(std::span<const uint8_t> encoded, ImageSize expected) {
+namespace {
+
+// load: stb's function for this kind of channel.
+template <class Channel, class Load>
+std::vector<Channel> decoded(std::span<const uint8_t> encoded, ImageSize expected, Load load) {
   ImageSize size;
   int channels = 0;
-  stbi_uc* texels = stbi_load_from_memory(encoded.data(), stb_length(encoded), &size.width, &size.height, &channels, 4);
+  Channel* texels = load(encoded.data(), stb_length(encoded), &size.width, &size.height, &channels, 4);
   if (!texels) throw Broken(fmt::format("it cannot be decoded ({})", stbi_failure_reason()));
-  std::vector<uint8_t> rgba;
+  std::vector<Channel> rgba;
   const bool same = size.width == expected.width && size.height == expected.height;
   if (same) rgba.assign(texels, texels + static_cast<size_t>(size.width) * static_cast<size_t>(size.height) * 4);
   stbi_image_free(texels);
   if (!same) throw Broken("it is not of the size its header says");
   return rgba;
+}
+
+}  // namespace
+
+Texels decode_image(std::span<const uint8_t> encoded, ImageSize expected) {
+  if (expected.bits == 16) return {{}, decoded<uint16_t>(encoded, expected, stbi_load_16_from_memory)};
+  return {decoded<uint8_t>(encoded, expected, stbi_load_from_memory), {}};
 }
 
 }  // namespace gbl::gltf

@@ -10,12 +10,19 @@ namespace gbl::gltf {
 
 struct ImageSize {
   int width = 0, height = 0;
+  int bits = 8;  // a channel: 8 or 16
+};
+
+// RGBA, rows top to bottom; one of the two is empty.
+struct Texels {
+  std::vector<uint8_t> bytes;
+  std::vector<uint16_t> words;  // of images with 16 bits a channel
 };
 
 // From the header alone, within the limits; Broken.
 ImageSize image_size(std::span<const uint8_t> encoded);
 
-// RGBA, 8 bits each, rows top to bottom: grey, palette and 16 bits are converted. Broken.
-std::vector<uint8_t> decode_image(std::span<const uint8_t> encoded, ImageSize expected);
+// Grey and palette are converted. Broken.
+Texels decode_image(std::span<const uint8_t> encoded, ImageSize expected);
 
 }  // namespace gbl::gltf

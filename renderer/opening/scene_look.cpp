@@ -1,9 +1,12 @@
 #include "renderer/opening/scene_look.h"
 
+#include <algorithm>
+
 #include "renderer/opening/exposure_meter.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/scenes/builtin_scenes.h"
+#include "renderer/truth/visible_triangles.h"
 
 namespace gbl {
 namespace {
@@ -56,6 +59,17 @@ void reset_look(Settings& s) {
   }
 }
 
+// Of a file that shows nothing from its own camera, why.
+void say_if_unseen(const Settings& s, Scene& scene) {
+  const bool blends = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                  [](const Material& m) { return m.alpha_mode == AlphaMode::blend; });
+  if (scene.instances.empty() || blends || sees_surface(s, scene, false)) return;  // what is blended is not looked for
+  scene.warnings.emplace_back(
+      sees_surface(s, scene, true)
+          ? "all triangles that its camera sees face away from it, and no material is double-sided"
+          : "its camera sees none of its surfaces: move it, or give --camera");
+}
+
 // A file's lights are metered on its surfaces from its own camera.
 void complete_file_scene(Scene& scene) {
   if (scene.lights.empty()) add_studio_lights(scene);
@@ -63,6 +77,8 @@ void complete_file_scene(Scene& scene) {
   scene.light_box = LightBox{scene.bounds.min - margin, scene.bounds.max + margin};
   Settings s;
   apply_scene(s, "model", scene);
+  s.size = {160, 90};
+  say_if_unseen(s, scene);
   scene.exposure = metered_exposure(s, scene).value_or(1);
 }
 

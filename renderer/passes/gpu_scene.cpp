@@ -1,8 +1,11 @@
 #include "renderer/passes/gpu_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
+
+#include "renderer/picture/srgb.h"
 
 namespace gbl {
 namespace {
@@ -57,6 +60,23 @@ gl::ImageDesc described(const Texture& t, bool srgb) {
 static_assert(static_cast<int>(Wrap::mirror) == static_cast<int>(gl::Address::mirror));
 static_assert(static_cast<int>(Filter::linear_mipmap_linear) == static_cast<int>(gl::Filtering::linear_mipmap_linear));
 
+// No format holds sRGB codes of 16 bits: they are decoded here, and 16 linear bits keep more than 8 coded ones.
+std::vector<uint16_t> linear_words(const std::vector<uint16_t>& coded) {
+  std::vector<uint16_t> out(coded.size());
+  for (size_t i = 0; i < coded.size(); ++i)
+    out[i] =
+        i % 4 == 3 ? coded[i] : static_cast<uint16_t>(std::lround(65535 * linear_from_srgb(double(coded[i]) / 65535)));
+  return out;
+}
+
+gl::Texture upload(const Texture& t, bool srgb) {
+  gl::ImageDesc d = described(t, srgb && t.rgba16.empty());
+  if (t.rgba16.empty()) return gl::make_image(d);
+  const std::vector<uint16_t> linear = srgb ? linear_words(t.rgba16) : std::vector<uint16_t>();
+  d.rgba16 = srgb ? linear.data() : t.rgba16.data();
+  return gl::make_image(d);
+}
+
 std::vector<GpuScene::Batch> batched(const Scene& scene) {
   std::map<std::tuple<int, int, bool>, GpuScene::Batch> by_key;
   for (size_t i = 0; i < scene.instances.size(); ++i) {
@@ -90,7 +110,7 @@ GpuScene::GpuMesh GpuScene::unshared_part(int i, size_t first_triangle) const {
 
 const gl::Texture& GpuScene::uploaded(std::vector<gl::Texture>& set, int i, bool srgb) const {
   const Texture& t = scene_->textures[i];
-  if (!set[i].name) set[i] = gl::make_image(described(t, srgb));
+  if (!set[i].name) set[i] = upload(t, srgb);
   return set[i];
 }
 

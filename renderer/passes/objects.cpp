@@ -112,6 +112,7 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
     glUniform1i(program.uniform("first_triangle"), static_cast<GLint>(first));
     glBindVertexArray(part.vertex_array.id());
     glDrawArraysInstanced(GL_TRIANGLES, 0, part.index_count, draw.count);
+    if (triangles > GpuScene::kPart) glFinish();  // a driver that lags behind would hold all parts at once
   }
 }
 

@@ -45,8 +45,16 @@ struct Sampler {
 struct Texture {
   std::string name;
   glm::ivec2 size{0};
-  std::vector<uint8_t> rgba;  // rows top to bottom; 4 bytes a texel; colour textures are sRGB-coded
+  std::vector<uint8_t> rgba;     // rows top to bottom; 4 bytes a texel; colour textures are sRGB-coded
+  std::vector<uint16_t> rgba16;  // the same of an image with 16 bits a channel; then `rgba` is empty
   Sampler sampler;
+
+  bool empty() const { return rgba.empty() && rgba16.empty(); }
+  glm::dvec4 texel(size_t i) const {  // 0..1, as coded
+    return rgba16.empty()
+               ? glm::dvec4(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2], rgba[4 * i + 3]) / 255.0
+               : glm::dvec4(rgba16[4 * i], rgba16[4 * i + 1], rgba16[4 * i + 2], rgba16[4 * i + 3]) / 65535.0;
+  }
 };
 
 inline constexpr int kNoTexture = -1;

@@ -35,11 +35,10 @@ struct TextureAt {
     if (use.texture == kNoTexture) return glm::dvec4(1);
     const Texture& t = scene.textures[static_cast<size_t>(use.texture)];
     const glm::dvec3 at = glm::dmat3(use.uv_transform) * glm::dvec3(uv[use.uv_set], 1);
-    if (t.rgba.empty() || !std::isfinite(at.x + at.y)) return glm::dvec4(1);
+    if (t.empty() || !std::isfinite(at.x + at.y)) return glm::dvec4(1);
     const auto x = static_cast<size_t>(wrapped(at.x, t.size.x, t.sampler.wrap_u));
     const auto y = static_cast<size_t>(wrapped(at.y, t.size.y, t.sampler.wrap_v));
-    const uint8_t* texel = &t.rgba[4 * (y * static_cast<size_t>(t.size.x) + x)];
-    return glm::dvec4(texel[0], texel[1], texel[2], texel[3]) / 255.0;
+    return t.texel(y * static_cast<size_t>(t.size.x) + x);
   }
 };
 
@@ -65,8 +64,13 @@ struct Hit {
 // Rows `from` up to `to` of the picture.
 class Band {
  public:
-  Band(const Settings& s, const Scene& scene, int from, int to)
-      : settings_(s), scene_(scene), from_(from), to_(to), rays_(view_rays(s.camera, double(s.size.x) / s.size.y)) {
+  Band(const Settings& s, const Scene& scene, bool back_faces_too, int from, int to)
+      : settings_(s),
+        scene_(scene),
+        back_faces_too_(back_faces_too),
+        from_(from),
+        to_(to),
+        rays_(view_rays(s.camera, double(s.size.x) / s.size.y)) {
     hits_.resize(static_cast<size_t>(to - from) * static_cast<size_t>(s.size.x));
   }
 
@@ -95,7 +99,7 @@ class Band {
           Hit hit{static_cast<int>(index), t};
           Hit& nearest =
               hits_[static_cast<size_t>(y - from_) * static_cast<size_t>(settings_.size.x) + static_cast<size_t>(x)];
-          if (meets(e, x, y, material.double_sided, mirrored, hit) && hit.range < nearest.range &&
+          if (meets(e, x, y, material.double_sided || back_faces_too_, mirrored, hit) && hit.range < nearest.range &&
               !in_hole(mesh, corner, material, hit.weights))
             nearest = hit;
         }
@@ -174,18 +178,20 @@ class Band {
 
   const Settings& settings_;
   const Scene& scene_;
+  const bool back_faces_too_;
   const int from_, to_;
   const ViewRays rays_;
   std::vector<Hit> hits_;
 };
 
-std::vector<Hit> hits_of(const Settings& s, const Scene& scene) {
+std::vector<Hit> hits_of(const Settings& s, const Scene& scene, bool back_faces_too) {
   std::vector<Hit> hits(static_cast<size_t>(s.size.x) * static_cast<size_t>(s.size.y));
   const int bands = std::min(all_processors(), s.size.y);
   std::vector<std::thread> threads;
   for (int k = 0; k < bands; ++k)
-    threads.emplace_back(
-        [&, k] { Band(s, scene, s.size.y * k / bands, s.size.y * (k + 1) / bands).draw_all(hits.data()); });
+    threads.emplace_back([&, k] {
+      Band(s, scene, back_faces_too, s.size.y * k / bands, s.size.y * (k + 1) / bands).draw_all(hits.data());
+    });
   for (std::thread& t : threads) t.join();
   return hits;
 }
@@ -207,8 +213,13 @@ SeenTexel texel_of(const Hit& hit, const Scene& scene, Colour colour) {
 
 }  // namespace
 
+bool sees_surface(const Settings& s, const Scene& scene, bool back_faces_too) {
+  const std::vector<Hit> hits = hits_of(s, scene, back_faces_too);
+  return std::any_of(hits.begin(), hits.end(), [](const Hit& h) { return h.instance >= 0; });
+}
+
 std::vector<SeenTexel> visible_triangles(const Settings& s, const Scene& scene, bool with_textures) {
-  const std::vector<Hit> hits = hits_of(s, scene);
+  const std::vector<Hit> hits = hits_of(s, scene, false);
   std::vector<SeenTexel> seen(hits.size());
   for (size_t i = 0; i < hits.size(); ++i)
     if (with_textures)

@@ -14,6 +14,9 @@ int all_processors();
 // good enough to meter a scene by, not for a reference. Without textures only the triangles are told.
 std::vector<SeenTexel> visible_triangles(const Settings&, const Scene&, bool with_textures = true);
 
+// Does any pixel see a surface? With back faces: those of one-sided materials count, too.
+bool sees_surface(const Settings&, const Scene&, bool back_faces_too);
+
 // No driver's word is taken for which triangle is seen: the pixel's ray must meet it, and no other before it, within
 // what a rasteriser may move a corner. Where it does not, the triangle is looked up; where none is found, this is an
 // Error(unfinished) that names the pixel. What textures hold stays as given. Gives the number of triangles replaced.

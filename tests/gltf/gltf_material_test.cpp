@@ -114,7 +114,9 @@ TEST(GltfMaterial, ImagesOfManyKinds) {
   EXPECT_EQ(with_image(png(1, 1, 8, 2, {1, 2, 3})).textures.at(0).rgba, (Bytes{1, 2, 3, 255}));
   EXPECT_EQ(with_image(png(2, 1, 8, 3, {1, 0}, {9, 8, 7, 1, 2, 3})).textures.at(0).rgba,
             (Bytes{1, 2, 3, 255, 9, 8, 7, 255}));
-  EXPECT_EQ(with_image(png(1, 1, 16, 6, {10, 0, 20, 0, 30, 0, 40, 0})).textures.at(0).rgba, (Bytes{10, 20, 30, 40}));
+  const Texture deep = with_image(png(1, 1, 16, 6, {10, 1, 20, 2, 30, 3, 40, 4})).textures.at(0);
+  EXPECT_TRUE(deep.rgba.empty());
+  EXPECT_EQ(deep.rgba16, (std::vector<uint16_t>{0x0a01, 0x1402, 0x1e03, 0x2804})) << "16 bits stay 16 bits";
 }
 
 TEST(GltfMaterial, BadImagesAreCheckersAndSaidWhileTheRestStands) {

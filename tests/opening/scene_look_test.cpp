@@ -103,6 +103,22 @@ TEST(SceneLook, AddedLightsAreSaidWhereTheyAreShown) {
   EXPECT_FALSE(said(LightSource::generated));
 }
 
+TEST(SceneLook, AFileThatShowsNothingSaysWhy) {
+  const ScratchFolder folder("unseen");
+  GltfFile file = triangle_file();
+  const auto said = [&](const std::string& part) {
+    const Scene scene = *open_scene(folder.write("unseen.gltf", bytes_of(file.gltf())).string());
+    return has_warning(scene, part);
+  };
+  EXPECT_FALSE(said("camera sees")) << "the triangle faces +Z, and so does the camera that is made for it";
+  file.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}, {"zfar", 100}}}});
+  const int eye = file.add("nodes", {{"camera", 0}, {"translation", {0.3, 0.3, -4}}, {"rotation", {0, 1, 0, 0}}});
+  file.doc["scenes"][0]["nodes"].push_back(eye);
+  EXPECT_TRUE(said("face away from it"));
+  file.node(eye)["rotation"] = {0, 0, 0, 1};
+  EXPECT_TRUE(said("camera sees none of its surfaces"));
+}
+
 TEST(ChooseDepth, IsReversedWhereItCanBeAndElseBeginsWithTheScene) {
   Scene scene;
   scene.bounds = {{-1, -1, -1}, {1, 1, 1}};

@@ -111,6 +111,27 @@ TEST_F(ReferenceGl, FramesFromDerivativesTurnWithBackFacesAndMirrors) {
     }
 }
 
+// An image of 16 bits keeps them on the GPU: normals turn by less than a step of 8 bits does, and dark colours stay apart.
+TEST_F(ReferenceGl, ImagesOfSixteenBitsKeepThem) {
+  Scene wall = make_plane(20, {.base_colour_texture = {.texture = 0}, .normal_texture = {.texture = 1}});
+  const auto texture = [](uint16_t r, uint16_t g, uint16_t b) {
+    return Texture{.name = "deep", .size = {1, 1}, .rgba16 = {r, g, b, 65535}};
+  };
+  wall.textures = {texture(300, 300, 300), texture(32768 + 100, 32768, 65535)};
+  wall.bounds = bounds_of(wall);
+  Settings s = closed_settings();
+  for (const Colour colour : {Colour::srgb, Colour::as_tutorial}) {
+    s.colour = colour;
+    const GpuScene scene(std::make_shared<const Scene>(wall));
+    const auto set = truth_of(s, scene);
+    const size_t middle = set->truth.pixels() / 2 + 16;
+    ASSERT_TRUE(set->truth.present[middle]);
+    const double code = 300 / 65535.0, expected = colour == Colour::srgb ? code / 12.92 : code;
+    EXPECT_NEAR(set->truth.albedo[middle].x, expected, 0.5 / 65535) << "in 8 bits it would be code 1: 0.0039";
+    EXPECT_NEAR(set->texels[middle].normal.x, (32768 + 100) / 65535.0, 1e-6);
+  }
+}
+
 // A sunlit wall is brighter than half floats reach, and a dim lamp darker than they resolve: sums are kept in the
 // display's units there.
 TEST_F(ReferenceGl, AnyLightIsSummedInHalfFloats) {

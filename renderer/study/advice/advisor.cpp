@@ -1,7 +1,9 @@
 #include "renderer/study/advice/advisor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 #include "renderer/base/error.h"
 #include "renderer/frame/attachments.h"
@@ -71,7 +73,8 @@ Values normals(const DeviceLimits& limits) {
 Values positions(const DeviceLimits& limits) {
   Values out;
   for_sound_rows<DepthFormat>(limits, [&](const ValueRow& r) {
-    out.insert(out.begin(), Patch{{"position.source", "depth"}, {"depth.format", r.id}});
+    if (static_cast<DepthFormat>(r.value) != DepthFormat::auto_)  // one of the others
+      out.insert(out.begin(), Patch{{"position.source", "depth"}, {"depth.format", r.id}});
   });
   for_sound_rows<PositionSource>(limits, [&](const ValueRow& r) {
     if (static_cast<PositionSource>(r.value) != PositionSource::depth) out.push_back({{"position.source", r.id}});
@@ -112,18 +115,27 @@ class Advisor {
   }
 
   Advice advise() {
-    for (Values (*axis)(const DeviceLimits&) : {layouts, normals, positions, accumulations})
-      axes_.push_back(values_that_hold(axis(limits_)));
-    const std::vector<AdvisedSetup> holding = setups_that_hold();
-    if (cost_ == AdviceCost::bytes)
-      take_two(holding);
-    else
-      take_two(measured(holding));
+    try {
+      look();
+    } catch (const Error& e) {
+      if (e.code() != ExitCode::interrupted) throw;
+      advice_.stopped = true;
+      if (!advice_.best) advice_.best = so_far_;
+    }
     if (advice_.best) say_what_is_left_out(advice_.best->settings);
     return std::move(advice_);
   }
 
  private:
+  void look() {
+    for (Values (*axis)(const DeviceLimits&) : {layouts, normals, positions, accumulations})
+      axes_.push_back(values_that_hold(axis(limits_)));
+    if (cost_ == AdviceCost::time)
+      take_two(measured(setups_that_hold()));
+    else
+      take_two(two_cheapest());
+  }
+
   void step(const std::string& what) const {
     if (cancel_) throw Error(ExitCode::interrupted, "advice", "stopped");
     progress_(what);
@@ -149,14 +161,19 @@ class Advisor {
       apply(s, patch);
       if (!validate(s, limits_).empty()) continue;
       advice_.values.push_back(tried(patch, s));
-      if (advice_.values.back().holds) out.push_back(patch);
+      if (!advice_.values.back().holds) continue;
+      out.push_back(patch);
+      const int bytes = bytes_of(s, scene_);
+      if (!so_far_ || bytes < so_far_->bytes_per_pixel)
+        so_far_ = AdvisedSetup{s, cost_ == AdviceCost::bytes ? bytes : NAN, bytes, advice_.values.back()};
     }
     return out;
   }
 
-  // All products of values that hold alone, fewest bytes first.
-  std::vector<AdvisedSetup> products() const {
+  // All products of values that hold alone, with this method, fewest bytes first; each way to store once.
+  std::vector<AdvisedSetup> products(LightMethod method) const {
     std::vector<AdvisedSetup> out{{base_, 0, 0, {}}};
+    out.front().settings.lights.method = method;
     for (const Values& axis : axes_) {
       std::vector<AdvisedSetup> longer;
       for (const AdvisedSetup& before : out)
@@ -166,7 +183,10 @@ class Advisor {
         }
       out = std::move(longer);
     }
-    std::erase_if(out, [&](const AdvisedSetup& a) { return !validate(a.settings, limits_).empty(); });
+    std::set<std::string> known;  // what a method does not use makes no other set-up
+    std::erase_if(out, [&](const AdvisedSetup& a) {
+      return !validate(a.settings, limits_).empty() || !known.insert(in_words(setup_values(a.settings))).second;
+    });
     for (AdvisedSetup& a : out) a.cost = a.bytes_per_pixel = bytes_of(a.settings, scene_);
     std::stable_sort(out.begin(), out.end(), [](const AdvisedSetup& a, const AdvisedSetup& b) {
       return a.bytes_per_pixel < b.bytes_per_pixel;
@@ -174,12 +194,62 @@ class Advisor {
     return out;
   }
 
+  // Bytes and pairs need no clock: from the cheapest up, the first that holds is the answer. The runner-up is the cheapest
+  // with another method: another way to store under the same one would say little.
+  std::vector<AdvisedSetup> two_cheapest() {
+    std::vector<AdvisedSetup> out;
+    size_t looked_at_since = 0;
+    for (std::vector<AdvisedSetup>& setups : cost_ == AdviceCost::bytes ? by_bytes() : by_pairs())
+      for (AdvisedSetup& a : setups) {
+        if (!out.empty() && a.settings.lights.method == out.front().settings.lights.method) continue;
+        if (!out.empty() && ++looked_at_since > kMostSetups) return out;
+        a.proof = tried(setup_values(a.settings), a.settings);
+        if (!a.proof.holds) {
+          if (out.empty()) advice_.rejected.push_back(std::move(a.proof));
+          continue;
+        }
+        out.push_back(std::move(a));
+        if (out.size() == 2) return out;
+        advice_.best = out.front();  // whoever stops now has the answer
+      }
+    return out;
+  }
+
+  // One method of each kind of shading: what is stored follows from the kind.
+  std::vector<std::vector<AdvisedSetup>> by_bytes() const {
+    std::vector<AdvisedSetup> all;
+    for (const LightMethod m : {base_.lights.method, LightMethod::prepass, LightMethod::forward})
+      for (AdvisedSetup& a : products(m)) all.push_back(std::move(a));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const AdvisedSetup& a, const AdvisedSetup& b) { return a.cost < b.cost; });
+    return {std::move(all)};
+  }
+
+  // Methods by their pairs, which do not depend on what is stored; of one method fewest bytes first.
+  std::vector<std::vector<AdvisedSetup>> by_pairs() {
+    std::vector<std::pair<double, LightMethod>> methods;
+    for_sound_rows<LightMethod>(limits_, [&](const ValueRow& r) {
+      Settings s = base_;
+      s.lights.method = static_cast<LightMethod>(r.value);
+      if (s.lights.method == LightMethod::prepass) s.accumulation.targets = AccumulationTargets::split;
+      if (s.lights.method == LightMethod::auto_ || !validate(s, limits_).empty()) return;
+      step(fmt::format("counting the pairs of lights.method={}", r.id));
+      methods.emplace_back(measure_(s), s.lights.method);
+    });
+    std::stable_sort(methods.begin(), methods.end(), [](auto& a, auto& b) { return a.first < b.first; });
+    std::vector<std::vector<AdvisedSetup>> out;
+    for (const auto& [pairs, method] : methods) {
+      out.push_back(products(method));
+      for (AdvisedSetup& a : out.back()) a.cost = pairs;
+    }
+    return out;
+  }
+
   std::vector<AdvisedSetup> setups_that_hold() {
-    const size_t wanted = cost_ == AdviceCost::bytes ? 2 : kMeasuredSetups;
     std::vector<AdvisedSetup> out;
     size_t looked_at = 0;
-    for (AdvisedSetup& a : products()) {
-      if (out.size() == wanted || ++looked_at > kMostSetups) break;
+    for (AdvisedSetup& a : products(base_.lights.method)) {
+      if (out.size() == kMeasuredSetups || ++looked_at > kMostSetups) break;
       a.proof = tried(setup_values(a.settings), a.settings);
       if (a.proof.holds)
         out.push_back(std::move(a));
@@ -240,6 +310,8 @@ class Advisor {
     step(fmt::format("measuring {}", in_words(values)));
     a.cost = measure_(a.settings);
     a.bytes_per_pixel = bytes_of(a.settings, scene_);
+    if (!advice_.best || cheaper(a, *advice_.best)) advice_.best = a;
+    advice_.measured.push_back(a);
     out.push_back(std::move(a));
   }
 
@@ -278,7 +350,8 @@ class Advisor {
   const AdviceProgress& progress_;
   const std::atomic<bool>& cancel_;
   Settings base_;
-  std::vector<Values> axes_;  // of each, the values that hold alone
+  std::vector<Values> axes_;            // of each, the values that hold alone
+  std::optional<AdvisedSetup> so_far_;  // of the values alone: the fewest bytes that hold
   Advice advice_;
 };
 

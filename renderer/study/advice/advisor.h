@@ -1,6 +1,8 @@
 #pragma once
 // The cheapest set-up for a scene that holds an error budget, over its own camera and seeded ones: first every value
-// of every axis alone, with nothing else lost, then the products of those that hold, cheapest first. "Model no more
+// of every axis alone, with nothing else lost, then the products of those that hold, cheapest first. By bytes and by
+// pairs all of them are in the order of their cost, and the first that holds is the answer. By time it is the fastest of
+// those that were measured: every sound method with the smallest set-up, and a few more set-ups with the fastest method. "Model no more
 // than a scene needs" (the user's words), carried out. No GL: what is measured comes through a JudgeFn.
 #include <atomic>
 #include <functional>
@@ -57,13 +59,15 @@ struct AdvisedSetup {
 };
 
 struct Advice {
-  std::optional<AdvisedSetup> best, runner_up;
-  std::vector<Tried> values;          // each axis' values alone, in the order tried
-  std::vector<Tried> rejected;        // whole set-ups cheaper than the best that failed together
-  std::vector<std::string> left_out;  // what the best leaves out and why, a sentence each
+  std::optional<AdvisedSetup> best, runner_up;  // by bytes and pairs the runner-up has another method
+  std::vector<Tried> values;                    // each axis' values alone, in the order tried
+  std::vector<Tried> rejected;                  // whole set-ups cheaper than the best that failed together
+  std::vector<AdvisedSetup> measured;           // by time: all that the best is the fastest of
+  std::vector<std::string> left_out;            // what the best leaves out and why, a sentence each
+  bool stopped = false;  // before the answer: `best` is the cheapest so far that holds, if there is one
 };
 
-// The best is the cheapest by cost; equal costs: fewer bytes first. Throws Error(interrupted) when cancelled.
+// The best is the cheapest by cost; equal costs: fewer bytes first. When cancelled it says so in `stopped`.
 Advice advise(const Settings& truth, const Scene&, const ErrorBudget&, AdviceCost, const DeviceLimits&, const JudgeFn&,
               const CostFn&, const AdviceProgress&, const std::atomic<bool>& cancel);
 

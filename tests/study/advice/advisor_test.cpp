@@ -24,16 +24,21 @@ struct World {
   ErrorBudget budget;
   int judged = 0, measured = 0;
   std::atomic<bool> cancel{false};
-  bool nothing_holds = false;
+  bool nothing_holds = false, forward_holds = true, prepass_holds = true;
+  NormalEncoding also_bad = NormalEncoding::oct8;
+  int stop_after = 1 << 30;
 
   BoundCheck check(const Settings& s, int camera) {
-    ++judged;
+    if (++judged == stop_after) cancel = true;
     BoundCheck b;
     b.compared = 1000;
     const bool together =
         s.normal.encoding == NormalEncoding::oct12 && s.accumulation.format == AccumulationFormat::rgba16f;
     const bool bad = s.normal.encoding == NormalEncoding::oct8 || s.depth.format == DepthFormat::d16 || together ||
-                     s.accumulation.format == AccumulationFormat::rgba8 || nothing_holds;
+                     s.accumulation.format == AccumulationFormat::rgba8 || nothing_holds ||
+                     s.normal.encoding == also_bad ||
+                     (!forward_holds && shading_of(s.lights.method) == Shading::forward) ||
+                     (!prepass_holds && shading_of(s.lights.method) == Shading::light_prepass);
     if (bad && camera == 3) b.over = 20, b.worst = 9 / 255.0;
     return b;
   }
@@ -107,8 +112,81 @@ TEST(Advisor, NothingIsAdvisedWhereNothingHolds) {
 TEST(Advisor, CanBeStopped) {
   World w;
   w.cancel = true;
-  error_line(ExitCode::interrupted, [&] { w.advise(AdviceCost::pairs); });
+  const Advice nothing = w.advise(AdviceCost::pairs);
+  EXPECT_TRUE(nothing.stopped);
+  EXPECT_FALSE(nothing.best);
   EXPECT_EQ(w.judged, 0);
+}
+
+TEST(Advisor, StoppedOnTheWayItGivesTheCheapestSoFarThatHolds) {
+  World w;
+  w.stop_after = 60;
+  const Advice some = w.advise(AdviceCost::bytes);
+  EXPECT_TRUE(some.stopped);
+  ASSERT_TRUE(some.best);
+  for (int camera = 0; camera < kAdviceCameras; ++camera) EXPECT_EQ(w.check(some.best->settings, camera).over, 0u);
+  EXPECT_FALSE(World().advise(AdviceCost::bytes).stopped);
+}
+
+// All sound combinations, one by one: what the ordered search must find.
+int fewest_bytes_by_brute_force(World& w) {
+  int fewest = 1 << 20;
+  for (const LightMethod method : {LightMethod::fullscreen, LightMethod::prepass, LightMethod::forward})
+    for (const ValueRow& layout : rows<Layout>())
+      for (const ValueRow& normal : rows<NormalEncoding>())
+        for (const DepthFormat depth : {DepthFormat::d16, DepthFormat::d32f_reversed})
+          for (const ValueRow& format : rows<AccumulationFormat>())
+            for (const AccumulationTargets targets : {AccumulationTargets::split, AccumulationTargets::one}) {
+              Settings s = w.truth;
+              s.lights.cull = LightCull::front;
+              s.lights.method = method;
+              s.layout = static_cast<Layout>(layout.value),
+              s.normal.encoding = static_cast<NormalEncoding>(normal.value);
+              s.depth.format = depth;
+              s.accumulation = {static_cast<AccumulationFormat>(format.value), targets};
+              if (s.layout == Layout::auto_ || succeeds_another(s.layout) || !sound(s)) continue;
+              if (!validate(s, {all_features()}).empty()) continue;
+              bool holds = true;
+              for (int camera = 0; camera < kAdviceCameras && holds; ++camera)
+                holds = w.budget.holds(w.check(s, camera));
+              const Settings r = resolve(s, w.scene).settings;
+              if (holds) fewest = std::min(fewest, gbuffer_bytes_per_pixel(r) + accumulation_bytes_per_pixel(r));
+            }
+  return fewest;
+}
+
+TEST(Advisor, BytesAreTheFewestOfAllCombinations) {
+  for (const bool forward : {true, false})
+    for (const bool prepass : {true, false})
+      for (const NormalEncoding worst : {NormalEncoding::oct8, NormalEncoding::oct14}) {
+        World w;
+        w.forward_holds = forward, w.prepass_holds = prepass, w.also_bad = worst;
+        const int expected = fewest_bytes_by_brute_force(w);
+        const Advice advice = w.advise(AdviceCost::bytes);
+        ASSERT_TRUE(advice.best);
+        EXPECT_EQ(advice.best->bytes_per_pixel, expected)
+            << forward << prepass << in_words(setup_values(advice.best->settings));
+        EXPECT_EQ(forward, advice.best->settings.lights.method == LightMethod::forward);
+      }
+}
+
+// Pairs are the method's alone: the fewest of all that hold, then fewest bytes.
+TEST(Advisor, PairsAreThoseOfTheMethodWithTheFewest) {
+  for (const LightMethod m : {LightMethod::clustered, LightMethod::forward, LightMethod::prepass}) {
+    World w;
+    const Advice advice = w.advise(AdviceCost::pairs, double(m));
+    ASSERT_TRUE(advice.best);
+    EXPECT_EQ(advice.best->settings.lights.method, m);
+    EXPECT_EQ(advice.best->cost, 1);
+  }
+}
+
+TEST(Advisor, ByTimeItShowsAllThatItIsTheFastestOf) {
+  World w;
+  const Advice advice = w.advise(AdviceCost::time, double(LightMethod::quads));
+  EXPECT_EQ(int(advice.measured.size()), w.measured);
+  EXPECT_GT(advice.measured.size(), 6u);
+  for (const AdvisedSetup& m : advice.measured) EXPECT_GE(m.cost, advice.best->cost);
 }
 
 TEST(ErrorBudget, IsAShareOrEveryPixel) {
