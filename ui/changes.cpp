@@ -37,7 +37,7 @@ void go_on_from(FrameContext& f, const Option& o, Settings& s) {
 void say_step(FrameContext& f, const Option& o, const Settings& before) {
   Sentence sentence = describe_step(o, before, f.settings);
   if (before.lights.source != f.settings.lights.source && o.implies)
-    sentence.text = fmt::format("{} generated lights instead of {}. {} brings those back.", f.settings.lights.count,
+    sentence.text = fmt::format("{} generated lights instead of {}. “{}” brings those back.", f.settings.lights.count,
                                 row(before.lights.source).label, option("lights.source").label);
   say(f, std::move(sentence));
 }

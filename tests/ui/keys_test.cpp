@@ -148,6 +148,29 @@ TEST(Keys, ARequestLastsOneFrame) {
   EXPECT_FALSE(desk.frame().save_figure);
 }
 
+// The scene's own lights are as many as the scene has, whatever lights.count says of generated ones.
+TEST(Keys, PickAndSoloKnowTheLightsOfTheScene) {
+  Desk desk;
+  desk.scene.lights.resize(4);
+  for (Light& l : desk.scene.lights) l.range = 100;
+  desk.settings.lights.source = LightSource::scene;
+  desk.settings.view.pick = 3;
+  desk.press(".");
+  EXPECT_EQ(desk.settings.view.pick, 0);
+  desk.press(",");
+  EXPECT_EQ(desk.settings.view.pick, 3);
+  desk.press(".", true);
+  EXPECT_EQ(desk.settings.lights.only, 3);
+  EXPECT_EQ(lights_of(desk.settings, desk.scene).size(), 1u);
+  desk.press("]");  // goes on from four, and the light that was alone is one of the eight
+  EXPECT_EQ(desk.settings.lights.source, LightSource::generated);
+  EXPECT_EQ(desk.settings.lights.count, 8);
+  desk.settings.lights.source = LightSource::scene;
+  desk.press("[");
+  EXPECT_EQ(desk.settings.lights.count, 2);
+  EXPECT_EQ(desk.settings.lights.only, -1) << "light 3 is gone";
+}
+
 TEST(Keys, SoloFollowsThePickAndEndsWithItsLight) {
   Desk desk;
   desk.settings.view.pick = 63;
