@@ -13,7 +13,7 @@ constexpr size_t kMiB = 1 << 20;
 TEST(Memory, WhatIsFreedGoesBackToTheSystem) {
   if (resident_bytes() == 0) GTEST_SKIP() << "this system does not say how much a process holds";
   return_freed_memory();
-  std::vector<char>(24 * kMiB, 1);  // freed: from here on glibc would keep blocks of this size
+  { const std::vector<char> freed(24 * kMiB, 1); }  // from here on glibc would keep blocks of this size
   const uint64_t before = resident_bytes();
   std::vector<std::unique_ptr<std::vector<char>>> small;
   for (int round = 0; round < 4; ++round) {
