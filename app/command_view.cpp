@@ -12,6 +12,7 @@
 #include "app/window.h"
 #include "renderer/base/files.h"
 #include "renderer/base/resources.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/options/settings_json.h"
 
 namespace gbl {
@@ -63,7 +64,10 @@ class Loop {
         viewer_(lab_),
         screen_(ui_),
         backend_(window_) {
-    if (scene) lab_.show(settings_.scene, std::move(scene));
+    if (scene) {
+      viewer_.say(fmt::format("{}", fmt::join(notes_of(*scene, settings_.lights.source), "; ")));
+      lab_.show(settings_.scene, std::move(scene));
+    }
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
     settings_.size = {800, 450};
     ui::Requests first;  // something to show in the very first frame

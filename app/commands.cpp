@@ -6,6 +6,7 @@
 #include <new>
 
 #include "renderer/base/files.h"
+#include "renderer/base/json_error.h"
 
 namespace gbl {
 namespace {
@@ -32,12 +33,6 @@ ExitCode run(const Arguments& a) {
   for (const Command& c : kCommands)
     if (a.command == c.name) return c.run(a);
   return ExitCode::bad_input;
-}
-
-// A library's "[json.exception.type_error.302] type must be …" as a sentence.
-std::string without_library(std::string_view what) {
-  if (what.starts_with('[')) what.remove_prefix(std::min(what.find("] ") + 2, what.size()));
-  return printable(what, 300);
 }
 
 int complain(const char* message, ExitCode code) {
@@ -68,7 +63,7 @@ int run_program(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     return complain("out of memory; choose a smaller size or scene", ExitCode::unfinished);
   } catch (const std::exception& e) {
-    return complain(without_library(e.what()).c_str(), ExitCode::unfinished);
+    return complain(printable(without_library(e.what()), 300).c_str(), ExitCode::unfinished);
   }
 }
 

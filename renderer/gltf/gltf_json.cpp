@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/base/json_error.h"
 #include "renderer/gltf/gltf_container.h"
 #include "renderer/gltf/gltf_limits.h"
 #include "renderer/gltf/gltf_schema.h"
@@ -57,7 +58,7 @@ std::string try_parse(std::string_view text, json& into) {
     into = json::parse(text.begin(), text.end());
     return {};
   } catch (const json::exception& e) {
-    return clean_name(e.what());
+    return clean_name(without_library(e.what()));
   }
 }
 

@@ -19,8 +19,8 @@ bool is_builtin(std::string_view name) { return name.substr(0, kPrefix.size()) =
 constexpr BuiltinScene kFile{
     .look = R"({"shading.model": "ggx", "shading.exponent": "from-roughness", "attenuation": "gltf",
                 "background.fill": "colour", "view.volumes": "off"})",
-    .drawing = R"({"layout": "auto", "depth.format": "auto", "lights.method": "auto", "lights.cull": "front",
-                   "lights.volume.clip": "none"})"};
+    .drawing = R"({"layout": "auto", "normal.encoding": "oct14", "depth.format": "auto", "lights.method": "auto",
+                   "lights.cull": "front", "lights.volume.clip": "none"})"};
 
 // A model without lights is seen as in a studio: a key light over the camera's left shoulder, a fill from its right.
 void add_studio_lights(Scene& scene) {

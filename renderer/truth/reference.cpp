@@ -102,6 +102,4 @@ uint64_t Reference::lit_pairs() const {
   return std::accumulate(lit_pairs_of_row_.begin(), lit_pairs_of_row_.end(), uint64_t(0));
 }
 
-int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
-
 }  // namespace gbl

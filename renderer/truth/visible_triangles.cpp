@@ -213,6 +213,8 @@ SeenTexel texel_of(const Hit& hit, const Scene& scene, Colour colour) {
 
 }  // namespace
 
+int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
 bool sees_surface(const Settings& s, const Scene& scene, bool back_faces_too) {
   const std::vector<Hit> hits = hits_of(s, scene, back_faces_too);
   return std::any_of(hits.begin(), hits.end(), [](const Hit& h) { return h.instance >= 0; });

@@ -7,6 +7,12 @@
 namespace gbl::test {
 namespace {
 
+TEST(GltfRefusal, BrokenJsonIsSaidWithoutTheLibrarysName) {
+  const std::string refused = refusal(bytes_of("{\"asset\":"));
+  EXPECT_NE(refused.find("broken JSON: parse error at line 1"), std::string::npos) << refused;
+  EXPECT_EQ(refused.find("json.exception"), std::string::npos) << refused;
+}
+
 struct Case {
   const char* name;
   std::function<void(GltfFile&)> bend;

@@ -132,6 +132,38 @@ TEST_F(ReferenceGl, ImagesOfSixteenBitsKeepThem) {
   }
 }
 
+// KHR_materials_unlit: the display shows the colour as it is, whatever the lights and the exposure are.
+TEST_F(ReferenceGl, UnlitSurfacesAreShownAsTheyAre) {
+  Scene wall = make_plane(20, {.base_colour = {0.5f, 0.2f, 0.1f, 1}, .unlit = true});
+  wall.lights = {point_light({0, 2, 0}, kEndless, glm::dvec3(1000))};
+  wall.bounds = bounds_of(wall);
+  const GpuScene scene(std::make_shared<const Scene>(wall));
+  struct Way {
+    Layout layout;
+    LightMethod method;
+    double
+        tolerance;  // of the display's linear 0..1: half a step of the stored sRGB code, at most 2.3/255 / 2 near white
+  };
+  for (const Way way : {Way{Layout::float32, LightMethod::fullscreen, 1e-6},
+                        {Layout::float32, LightMethod::forward, 1e-6},
+                        {Layout::compact_metal, LightMethod::fullscreen, 0.0046},
+                        {Layout::exact_emission, LightMethod::fullscreen, 0.0012}})
+    for (const double exposure : {1e-3, 1.0, 400.0}) {
+      Settings s = closed_settings();
+      s.shading.model = ShadingModel::ggx;
+      s.layout = way.layout, s.lights.method = way.method, s.exposure = exposure, s.ambient = 0.2;
+      renderer.render(s, scene, targets);
+      const std::vector<glm::vec3> lit = read_lit(targets);
+      const auto set = truth_of(s, scene);
+      const size_t middle = set->truth.pixels() / 2 + 16;
+      for (int k = 0; k < 3; ++k) {
+        const double base = double(wall.materials[0].base_colour[k]);
+        EXPECT_NEAR(double(lit[middle][k]) * exposure, base, way.tolerance) << row(way.layout).id << " " << exposure;
+        EXPECT_NEAR(set->truth.lit[middle][k] * exposure, base, 1e-12);
+      }
+    }
+}
+
 // A sunlit wall is brighter than half floats reach, and a dim lamp darker than they resolve: sums are kept in the
 // display's units there.
 TEST_F(ReferenceGl, AnyLightIsSummedInHalfFloats) {
