@@ -13,3 +13,7 @@ void unpack_exact(uvec2 words, inout Surface s) {
   set_base(s, linear_from_coded(vec3(float_of(words.x, 0, 10), float_of(words.x, 10, 10), float_of(words.x, 20, 10))));
   s.ambient = ambient_of(s);
 }
+
+// Three numbers 0..1 in a word.
+uint word_11_11_10(vec3 c) { return bits_of(c.r, 11) | bits_of(c.g, 11) << 11 | bits_of(c.b, 10) << 22; }
+vec3 of_word_11_11_10(uint word) { return vec3(float_of(word, 0, 11), float_of(word, 11, 11), float_of(word, 22, 10)); }

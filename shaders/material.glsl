@@ -20,6 +20,11 @@ uniform vec4 base_colour;
 uniform vec4 factors;     // roughness, metal, normal scale, occlusion strength
 uniform vec3 emissive;
 uniform float alpha_cutoff;
+#if SPECULAR
+uniform sampler2D specular_map;
+uniform sampler2D specular_colour_map;
+uniform vec4 specular;    // rgb: colour x reflectance of the index over the common one, a: weight
+#endif
 #if UV_TRANSFORMS
 uniform mat3 uv_transform[MATERIAL_TEXTURES];
 uniform int uv_set[MATERIAL_TEXTURES];
@@ -79,6 +84,25 @@ vec3 shading_normal() {
   return n;
 }
 
+// Specular colour texel, and the texel of its weight.
+vec4 specular_texel() {
+#if SPECULAR
+  return vec4(texture(specular_colour_map, uv_of(SPECULAR_COLOUR_MAP)).rgb, texture(specular_map, uv_of(SPECULAR_MAP)).a);
+#else
+  return vec4(1.0);
+#endif
+}
+
+// KHR_materials_specular. The reflectance at grazing angles follows from it as everywhere (F_Schlick in shade.glsl).
+vec3 material_dielectric() {
+#if SPECULAR
+  vec4 texel = specular_texel();
+  return min(dielectric_f0() * specular.rgb * texel.rgb, vec3(1.0)) * specular.a * texel.a;
+#else
+  return vec3(dielectric_f0());
+#endif
+}
+
 Surface material_surface(vec4 base) {
   Surface s;
   s.present = true;
@@ -90,7 +114,7 @@ Surface material_surface(vec4 base) {
   s.exponent = exponent_of(s.roughness);
   s.metal = metal;
   s.albedo = base.rgb * (1.0 - metal);
-  s.f0 = mix(vec3(dielectric_f0()), base.rgb, metal);
+  s.f0 = mix(material_dielectric(), base.rgb, metal);
   s.emissive = texture(emissive_map, uv_of(EMISSIVE_MAP)).rgb * emissive;
   s.occlusion = 1.0 + factors.w * (texture(occlusion_map, uv_of(OCCLUSION_MAP)).r - 1.0);
 #if UNLIT && EMISSION_KEPT

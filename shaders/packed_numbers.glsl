@@ -33,7 +33,7 @@ void set_roughness(inout Surface s, float roughness) {
   s.exponent = exponent_of(roughness);
 }
 
-// Base colour and metal, as glTF has them.
+// Base colour and metal, as glTF has them; F0 was what the surface reflects where it is no metal.
 void set_base(inout Surface s, vec3 base) {
   s.albedo = base * (1.0 - s.metal);
   s.f0 = mix(s.f0, base, s.metal);

@@ -7,6 +7,7 @@ layout(location = 0) out vec4 seen;      // object from 1, triangle from 0: whol
 layout(location = 1) out vec4 base;      // base colour texel
 layout(location = 2) out vec4 mapped;    // normal map's texel, occlusion texel
 layout(location = 3) out vec4 emission;  // emission texel
+layout(location = 4) out vec4 shine;     // specular colour's texel, specular weight's texel
 
 void main() {
 #if ALPHA_MASK
@@ -17,4 +18,5 @@ void main() {
   base = texture(base_colour_map, uv_of(BASE_COLOUR_MAP));
   mapped = vec4(texture(normal_map, uv_of(NORMAL_MAP_)).xyz, texture(occlusion_map, uv_of(OCCLUSION_MAP)).r);
   emission = texture(emissive_map, uv_of(EMISSIVE_MAP));
+  shine = specular_texel();
 }

@@ -33,12 +33,14 @@
 #define RECORD_TEXTURE_WIDTH 512
 
 // The textures of a material, in this order wherever they are listed.
-#define MATERIAL_TEXTURES 5
+#define MATERIAL_TEXTURES 7
 #define BASE_COLOUR_MAP 0
 #define NORMAL_MAP_ 1
 #define ROUGHNESS_MAP 2
 #define EMISSIVE_MAP 3
 #define OCCLUSION_MAP 4
+#define SPECULAR_MAP 5
+#define SPECULAR_COLOUR_MAP 6
 
 // Blocks of pixels summed by one texel of the count reduction: 16 x 16 x 16384 lights < 2^24 is exact in float.
 #define COUNT_BLOCK 16

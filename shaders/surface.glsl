@@ -16,7 +16,7 @@ struct Surface {
   float occlusion;   // of ambient light, 0..1
 };
 
-// What is no metal reflects this much; in the classic models the factor of the highlight.
+// What is no metal reflects this much unless its material says more; in the classic models the highlight's factor.
 float dielectric_f0() {
 #if SHADING_MODEL == MODEL_GGX
   return 0.04;
@@ -25,8 +25,11 @@ float dielectric_f0() {
 #endif
 }
 
-// Base colour = albedo + the metal's part of F0.
-vec3 base_of(Surface s) { return max(s.albedo + s.f0 - dielectric_f0() * (1.0 - s.metal), vec3(0.0)); }
+// The base colour, and the reflectance of what is no metal: albedo = base (1 - metal), F0 = mix(reflectance, base, metal).
+vec3 base_of(Surface s) { return s.metal < 1.0 ? s.albedo / (1.0 - s.metal) : s.f0; }
+vec3 dielectric_of(Surface s) {
+  return s.metal < 1.0 ? max(s.f0 - base_of(s) * s.metal, vec3(0.0)) / (1.0 - s.metal) : vec3(dielectric_f0());
+}
 
 // Ambient light comes from everywhere, so it is sent back by albedo and F0 alike: metals are dim, not black. The
 // classic models' highlight is no reflectance, so there only a metal's part of it counts.

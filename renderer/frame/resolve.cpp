@@ -17,6 +17,16 @@ bool has_unlit(const Scene& scene) {
                      [](const Material& m) { return m.unlit && m.alpha_mode != AlphaMode::blend; });
 }
 
+const char* why_of(MaterialHas what) {
+  switch (what) {
+    case MaterialHas::nothing: break;
+    case MaterialHas::emission: return ", since a material shines";
+    case MaterialHas::specular: return ", since a material has a reflectance of its own";
+    case MaterialHas::more: return ", since a material has metal, emission or occlusion";
+  }
+  return "";
+}
+
 // Of the scene's box along the view axis; negative: behind the camera.
 double nearest_of(const Bounds& bounds, const Camera& c) {
   const glm::dvec3 forward = c.forward(), half = bounds.extent() / 2.0;
@@ -37,12 +47,26 @@ MaterialNeeds needs_of(const Scene& scene) {
     needs.metal |= m.metal > 0;
     needs.emission |= m.unlit || m.emissive != glm::vec3(0);
     needs.occlusion |= m.occlusion_texture.texture != kNoTexture && m.occlusion_strength > 0;
+    needs.specular |= !m.unlit && !reflects_as_common(m);
   }
   return needs;
 }
 
+bool MaterialNeeds::has(MaterialHas what) const {
+  switch (what) {
+    case MaterialHas::nothing: return false;
+    case MaterialHas::emission: return emission;
+    case MaterialHas::specular: return specular;
+    case MaterialHas::more: return metal || emission || occlusion;
+  }
+  return false;
+}
+
 LayoutChoice choose_layout(const MaterialNeeds& needs) {
   if (!needs.any()) return {Layout::albedo_roughness, {"metal, emission and occlusion: no material has any"}};
+  if (needs.specular)
+    return {Layout::exact_specular,
+            {"the finer steps of metal and occlusion: 10 bits each are kept", "emission above the display's white"}};
   LayoutChoice choice{Layout::compact_metal, {}};
   choice.left_out.push_back("the finer steps of metal and occlusion: 10 bits each are kept");
   if (needs.emission)
@@ -61,12 +85,13 @@ Resolved resolve(const Settings& s, const Scene& scene) {
     LayoutChoice choice = choose_layout(needs_of(scene));
     choose(choice.layout, "");
     append(out.notes, std::move(choice.left_out));
-  } else if (const std::optional<Successor>& next = facts(s.layout).successor) {
+  } else {
     const MaterialNeeds needs = needs_of(scene);
-    if (next->when == MaterialHas::more && needs.any())
-      choose(next->layout, ", since a material has metal, emission or occlusion");
-    else if (next->when == MaterialHas::emission && needs.emission)
-      choose(next->layout, ", since a material shines");
+    for (const Successor& next : facts(s.layout).successors)
+      if (needs.has(next.when)) {
+        choose(next.layout, why_of(next.when));
+        break;
+      }
   }
   const LayoutRow& stored = facts(out.settings.layout);
   if (!stored.keeps_emission && shading_of(s.lights.method) != Shading::forward && has_unlit(scene))

@@ -11,7 +11,9 @@ namespace gbl {
 // What the opaque materials of a scene need stored besides albedo and roughness.
 struct MaterialNeeds {
   bool metal = false, emission = false, occlusion = false;
-  bool any() const { return metal || emission || occlusion; }
+  bool specular = false;  // a reflectance of their own where they are no metal
+  bool any() const { return metal || emission || occlusion || specular; }
+  bool has(MaterialHas) const;
 };
 MaterialNeeds needs_of(const Scene&);
 

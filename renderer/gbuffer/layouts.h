@@ -1,6 +1,5 @@
 #pragma once
 // The layouts: how the material is packed, and what that keeps and loses. Rows: layouts.inc.
-#include <optional>
 #include <span>
 #include <string>
 
@@ -19,12 +18,17 @@ enum class Layout {
 enum class MaterialView { roughness, specular, nothing };
 
 // What a scene's materials have beside albedo and roughness.
-enum class MaterialHas { emission, more };  // more: metal, emission or occlusion
+enum class MaterialHas {
+  nothing,
+  emission,
+  specular,  // a reflectance of their own
+  more       // metal, emission or occlusion
+};
 
 // The layout that takes the place of one that would leave out what the scene's materials have.
 struct Successor {
-  MaterialHas when;
-  Layout layout;
+  MaterialHas when = MaterialHas::nothing;
+  Layout layout{};
 };
 
 // An attachment of the geometry pass; none where it has no name.
@@ -44,10 +48,10 @@ struct LayoutRow {
   bool words = false;   // the material is packed into integers
   bool floats = false;  // as floats; deferred lighting's thin G-buffer, too
   bool keeps_emission = false;
-  bool alpha_marks = false;  // alpha of the first attachment is 1 where a surface is
-  bool begins_sum = false;   // ambient light and emission are written with the material: into the sum of light
-  int normal_bits = 0;       // free in the material's first word, for a normal that fits
-  std::optional<Successor> successor = {};
+  bool alpha_marks = false;      // alpha of the first attachment is 1 where a surface is
+  bool begins_sum = false;       // ambient light and emission are written with the material: into the sum of light
+  int normal_bits = 0;           // free in the material's first word, for a normal that fits
+  Successor successors[2] = {};  // in the order in which they are asked
   MaterialTexel material[kMostMaterialTexels] = {};
 
   bool stores_roughness() const { return roughness_missing[0] == '\0'; }

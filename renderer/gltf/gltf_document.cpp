@@ -33,11 +33,14 @@ double number(const tinygltf::Value& object, const char* member, double otherwis
   return object.Has(member) ? object.Get(member).GetNumberAsDouble() : otherwise;
 }
 
-// "offset" or "scale" of KHR_texture_transform: two numbers.
-glm::dvec2 pair(const tinygltf::Value& object, const char* member, double otherwise) {
+// As many numbers as the vector has.
+template <class Vector>
+Vector numbers(const tinygltf::Value& object, const char* member, double otherwise) {
+  Vector out(otherwise);
   const tinygltf::Value& list = object.Get(member);
-  if (!object.Has(member) || list.ArrayLen() != 2) return glm::dvec2(otherwise);
-  return {list.Get(0).GetNumberAsDouble(), list.Get(1).GetNumberAsDouble()};
+  if (!object.Has(member) || list.ArrayLen() != size_t(Vector::length())) return out;
+  for (int k = 0; k < Vector::length(); ++k) out[k] = list.Get(k).GetNumberAsDouble();
+  return out;
 }
 
 Accessor accessor_of(const tinygltf::Accessor& from) {
@@ -104,7 +107,7 @@ Node node_of(const tinygltf::Node& from, size_t index) {
 
 // KHR_texture_transform: T * R * S on column vectors (u, v, 1); counter-clockwise as a picture with v downwards is seen.
 glm::mat3 uv_transform(const tinygltf::Value& t) {
-  const glm::dvec2 offset = pair(t, "offset", 0), scale = pair(t, "scale", 1);
+  const glm::dvec2 offset = numbers<glm::dvec2>(t, "offset", 0), scale = numbers<glm::dvec2>(t, "scale", 1);
   const double angle = number(t, "rotation", 0), c = std::cos(angle), s = std::sin(angle);
   constexpr double kMost = 1e6;  // beyond it a float has no digits left for the place in the picture
   if (glm::any(glm::greaterThan(glm::abs(glm::dvec4(offset, scale)), glm::dvec4(kMost))) || !std::isfinite(c))
@@ -126,6 +129,19 @@ TextureUse use_of(const TextureInfo& from, const std::string& material, Job& job
   return use;
 }
 
+// A texture that an extension names, as those of the core are named.
+TextureUse use_of(const tinygltf::Value& extension, const char* member, const std::string& material, Job& job) {
+  tinygltf::TextureInfo info;
+  if (!extension.Has(member)) return {};
+  const tinygltf::Value& use = extension.Get(member);
+  info.index = static_cast<int>(number(use, "index", kNoTexture));
+  info.texCoord = static_cast<int>(number(use, "texCoord", 0));
+  if (use.Has("extensions"))
+    for (const auto& [name, value] : use.Get("extensions").Get<tinygltf::Value::Object>())
+      info.extensions[name] = value;
+  return use_of(info, material, job);
+}
+
 AlphaMode alpha_mode(const std::string& word, const std::string& material, Job& job) {
   if (word == "MASK") return AlphaMode::mask;
   if (word == "BLEND") return AlphaMode::blend;
@@ -137,6 +153,16 @@ AlphaMode alpha_mode(const std::string& word, const std::string& material, Job& 
 float within(double value, double least, double most) { return static_cast<float>(glm::clamp(value, least, most)); }
 glm::vec3 within(const glm::dvec3& v, double least, double most) {
   return {within(v.x, least, most), within(v.y, least, most), within(v.z, least, most)};
+}
+
+// KHR_materials_ior allows 0, which reflects all, and 1 and more.
+float refraction_index(double index) { return index == 0 ? 0 : within(index, 1, 1e3); }
+
+void read_specular(const tinygltf::Value& from, Material& to, Job& job) {
+  to.specular = within(number(from, "specularFactor", 1), 0, 1);
+  to.specular_colour = within(numbers<glm::dvec3>(from, "specularColorFactor", 1), 0, 1e3);
+  to.specular_texture = use_of(from, "specularTexture", to.name, job);
+  to.specular_colour_texture = use_of(from, "specularColorTexture", to.name, job);
 }
 
 Material material_of(const tinygltf::Material& from, size_t index, Job& job) {
@@ -161,6 +187,9 @@ Material material_of(const tinygltf::Material& from, size_t index, Job& job) {
   to.alpha_cutoff = within(from.alphaCutoff, 0, 1e3);
   to.double_sided = from.doubleSided;
   to.unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
+  if (const auto* ior = extension(from.extensions, "KHR_materials_ior"))
+    to.refraction_index = refraction_index(number(*ior, "ior", 1.5));
+  if (const auto* specular = extension(from.extensions, "KHR_materials_specular")) read_specular(*specular, to, job);
   return to;
 }
 

@@ -17,9 +17,7 @@ int Materials::use(int index) {
     material.name = "default";
     material.metal = 1;
   }
-  for (TextureUse* texture : {&material.base_colour_texture, &material.normal_texture, &material.roughness_texture,
-                              &material.emissive_texture, &material.occlusion_texture})
-    use_texture(*texture);
+  for (TextureUse* texture : texture_uses(material)) use_texture(*texture);
   scene_.materials.push_back(std::move(material));
   return entry->second;
 }

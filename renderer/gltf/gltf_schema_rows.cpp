@@ -99,9 +99,18 @@ constexpr Member kMetallicRoughness[] = {{"baseColorFactor", numbers, optional, 
 constexpr Schema kMetallicRoughnessSchema{kMetallicRoughness, std::size(kMetallicRoughness)};
 constexpr Member kStrength[] = {{"emissiveStrength", number}};
 constexpr Schema kStrengthSchema{kStrength, std::size(kStrength)};
+constexpr Member kIndexOfRefraction[] = {{"ior", number}};
+constexpr Schema kIndexOfRefractionSchema{kIndexOfRefraction, std::size(kIndexOfRefraction)};
+constexpr Member kSpecular[] = {{"specularColorFactor", numbers, optional, 3},
+                                {"specularColorTexture", object, optional, 0, nullptr, &kUseSchema},
+                                {"specularFactor", number},
+                                {"specularTexture", object, optional, 0, nullptr, &kUseSchema}};
+constexpr Schema kSpecularSchema{kSpecular, std::size(kSpecular)};
 constexpr Schema kNothingSchema{nullptr, 0};
 constexpr Member kMaterialExtensions[] = {
     {"KHR_materials_emissive_strength", object, optional, 0, nullptr, &kStrengthSchema},
+    {"KHR_materials_ior", object, optional, 0, nullptr, &kIndexOfRefractionSchema},
+    {"KHR_materials_specular", object, optional, 0, nullptr, &kSpecularSchema},
     {"KHR_materials_unlit", object, optional, 0, nullptr, &kNothingSchema}};
 constexpr Schema kMaterialExtensionsSchema{kMaterialExtensions, std::size(kMaterialExtensions)};
 constexpr Member kMaterial[] = {{"alphaCutoff", number},

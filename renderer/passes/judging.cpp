@@ -34,7 +34,7 @@ gl::Texture uploaded(glm::ivec2 size, const char* label, Colour colour, Alpha al
   return t;
 }
 
-constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.normal", "seen.emission"};
+constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.normal", "seen.emission", "seen.specular"};
 
 }  // namespace
 
@@ -124,7 +124,7 @@ bool TruthMaker::take_texels(const GpuScene& scene, bool wait) {
   if (witness_lit_.empty()) return false;
   std::vector<SeenTexel> texels(witness_lit_.size());
   for (size_t i = 0; i < texels.size(); ++i)
-    texels[i] = {seen_texels_[0][i], seen_texels_[1][i], seen_texels_[2][i], seen_texels_[3][i]};
+    texels[i] = {seen_texels_[0][i], seen_texels_[1][i], seen_texels_[2][i], seen_texels_[3][i], seen_texels_[4][i]};
   reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(texels));
   work_ = std::async(std::launch::async, [this] {
     triangles_replaced_ = reference_->check_texels();

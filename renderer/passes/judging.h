@@ -54,12 +54,12 @@ class TruthMaker {
   int threads_;
   bool asked_ = false;
   Targets targets_;  // of the frame block, the instances and the witness
-  std::array<gl::Texture, 4> seen_;
+  std::array<gl::Texture, kSeenTexels> seen_;
   gl::Texture depth_;
   gl::Framebuffer framebuffer_;
-  std::array<gl::AsyncRead, 4> reads_;
+  std::array<gl::AsyncRead, kSeenTexels> reads_;
   gl::AsyncRead witness_read_;
-  std::array<std::vector<glm::vec4>, 4> seen_texels_;
+  std::array<std::vector<glm::vec4>, kSeenTexels> seen_texels_;
   std::vector<glm::vec3> witness_lit_;
   std::unique_ptr<Reference> reference_;
   std::atomic<bool> cancel_{false};

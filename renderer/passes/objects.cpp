@@ -55,15 +55,8 @@ glm::vec3 colour_factor(const glm::vec3& linear, Colour colour) {
   return coded;
 }
 
-struct MaterialTextures {
-  const TextureUse* use[MATERIAL_TEXTURES];  // in the order of shared.h
-};
-MaterialTextures textures_of(const Material& m) {
-  return {{&m.base_colour_texture, &m.normal_texture, &m.roughness_texture, &m.emissive_texture, &m.occlusion_texture}};
-}
-
 bool plain_uvs(const Material& m) {
-  for (const TextureUse* use : textures_of(m).use)
+  for (const TextureUse* use : texture_uses(m))
     if (use->texture != kNoTexture && (use->uv_set != 0 || use->uv_transform != glm::mat3(1))) return false;
   return true;
 }
@@ -74,6 +67,7 @@ gl::Defines material_defines(const Settings& s, const Material& m) {
           {"ALPHA_MASK", m.alpha_mode == AlphaMode::mask},
           {"BLENDED", m.alpha_mode == AlphaMode::blend},
           {"UNLIT", m.unlit},
+          {"SPECULAR", !reflects_as_common(m)},
           {"UV_TRANSFORMS", !plain_uvs(m)}};
 }
 
@@ -92,13 +86,21 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
   glUniform4fv(program.find_uniform("factors"), 1, glm::value_ptr(factors));
   glUniform3fv(program.find_uniform("emissive"), 1, glm::value_ptr(m.emissive));
   glUniform1f(program.find_uniform("alpha_cutoff"), m.alpha_cutoff);
+  if (!reflects_as_common(m)) {
+    gl::bind_texture("specular_map", scene.data_texture(m.specular_texture.texture));
+    gl::bind_texture("specular_colour_map", scene.colour_texture(m.specular_colour_texture.texture, colour));
+    const float of_index = static_cast<float>(reflectance_of_index(double(m.refraction_index)) / kCommonReflectance);
+    const glm::vec4 specular(colour_factor(m.specular_colour, colour) * of_index, m.specular);
+    glUniform4fv(program.find_uniform("specular"), 1, glm::value_ptr(specular));
+  }
   if (plain_uvs(m)) return;
-  const MaterialTextures textures = textures_of(m);
+  const auto textures = texture_uses(m);
+  static_assert(std::tuple_size_v<decltype(textures)> == MATERIAL_TEXTURES);
   glm::mat3 transforms[MATERIAL_TEXTURES];
   int sets[MATERIAL_TEXTURES];
   for (int k = 0; k < MATERIAL_TEXTURES; ++k) {
-    transforms[k] = textures.use[k]->uv_transform;
-    sets[k] = textures.use[k]->uv_set;
+    transforms[k] = textures[static_cast<size_t>(k)]->uv_transform;
+    sets[k] = textures[static_cast<size_t>(k)]->uv_set;
   }
   glUniformMatrix3fv(program.find_uniform("uv_transform"), MATERIAL_TEXTURES, GL_FALSE, glm::value_ptr(transforms[0]));
   glUniform1iv(program.find_uniform("uv_set"), MATERIAL_TEXTURES, sets);

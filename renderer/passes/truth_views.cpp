@@ -51,7 +51,7 @@ void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targ
   Frame frame = frame_of(s, scene, targets);
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
   begin_drawing(into, s.size, depth_tested(frame, gl::DepthTest::less, {.depth_write = true}));
-  for (int k = 0; k < 4; ++k) glClearBufferfv(GL_COLOR, k, kNothing);
+  for (int k = 0; k < kSeenTexels; ++k) glClearBufferfv(GL_COLOR, k, kNothing);
   const float farthest = frame.resolved.depth_runs == DepthRuns::reversed ? 0.0f : 1.0f;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   gl::Defines defines = frame.surface_defines();

@@ -1,5 +1,6 @@
 #pragma once
 // A scene as plain data: no GL, no files. World is right-handed, Y up, metres; transforms are double.
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -77,16 +78,43 @@ struct Material {
   glm::vec3 emissive{0};     // linear, times any emissive strength
   float normal_scale = 1;    // of the map's x and y
   float occlusion_strength = 1;
-  TextureUse base_colour_texture;  // sRGB
-  TextureUse normal_texture;       // tangent space, n * 0.5 + 0.5, +Y up (green = bitangent)
-  TextureUse roughness_texture;    // green: roughness, blue: metal; linear
-  TextureUse emissive_texture;     // sRGB
-  TextureUse occlusion_texture;    // red; linear
+  // What is no metal reflects at normal incidence: min(that of the index x colour, 1) x weight (KHR_materials_ior,
+  // KHR_materials_specular).
+  float refraction_index = 1.5f;       // 1 or more; 0: reflects all
+  float specular = 1;                  // the weight, 0..1
+  glm::vec3 specular_colour{1};        // linear, 0 or more
+  TextureUse base_colour_texture;      // sRGB
+  TextureUse normal_texture;           // tangent space, n * 0.5 + 0.5, +Y up (green = bitangent)
+  TextureUse roughness_texture;        // green: roughness, blue: metal; linear
+  TextureUse emissive_texture;         // sRGB
+  TextureUse occlusion_texture;        // red; linear
+  TextureUse specular_texture;         // alpha; linear
+  TextureUse specular_colour_texture;  // sRGB
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;  // of mask
   bool double_sided = false;
   bool unlit = false;  // shown as it is, lit by nothing
 };
+
+// Each texture that a material reads, in the order of shaders/shared.h.
+template <class M>  // Material, const or not
+auto texture_uses(M& m) {
+  return std::array{&m.base_colour_texture, &m.normal_texture,   &m.roughness_texture,      &m.emissive_texture,
+                    &m.occlusion_texture,   &m.specular_texture, &m.specular_colour_texture};
+}
+
+// Schlick 1994: the reflectance of a surface between air and a medium of this index, at normal incidence.
+inline double reflectance_of_index(double index) {
+  const double r = (index - 1) / (index + 1);
+  return r * r;
+}
+inline constexpr double kCommonReflectance = 0.04;  // of index 1.5, which is glTF's default
+
+// Does its non-metal part reflect as that of every other material does?
+inline bool reflects_as_common(const Material& m) {
+  return m.refraction_index == 1.5f && m.specular == 1 && m.specular_colour == glm::vec3(1) &&
+         m.specular_texture.texture == kNoTexture && m.specular_colour_texture.texture == kNoTexture;
+}
 
 struct Instance {
   std::string name;

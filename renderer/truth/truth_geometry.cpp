@@ -117,6 +117,10 @@ TruthMaterial TruthGeometry::material_at(const Material& m, const Vertex* const 
   // Unlit: the display shows the colour as it is, whatever the exposure (KHR_materials_unlit).
   out.emission = m.unlit ? out.base / settings_.exposure : glm::dvec3(texel.emission) * glm::dvec3(m.emissive);
   out.unlit = m.unlit;
+  // KHR_materials_ior and KHR_materials_specular; the classic models' highlight is scaled alike.
+  const double of_index = model_.dielectric_f0 * reflectance_of_index(double(m.refraction_index)) / kCommonReflectance;
+  const glm::dvec3 colour = glm::dvec3(texel.specular) * colour_factor(glm::dvec3(m.specular_colour), settings_.colour);
+  out.dielectric = glm::min(of_index * colour, glm::dvec3(1)) * double(m.specular) * double(texel.specular.w);
   return out;
 }
 
@@ -150,7 +154,7 @@ SurfaceAt TruthGeometry::at(const Ray& ray, const SeenTexel& texel) const {
   out.emission = stored.emission;
   if (stored.unlit) return out;
   s.albedo = stored.base * (1 - stored.metal);
-  s.f0 = glm::mix(glm::dvec3(model_.dielectric_f0), stored.base, stored.metal);
+  s.f0 = glm::mix(stored.dielectric, stored.base, stored.metal);
   // Ambient light has no direction: GGX sends it back by albedo and F0, the classic models by the base colour.
   out.ambient = stored.occlusion * (model_.model == ShadingModel::ggx ? s.albedo + s.f0 : stored.base);
   return out;

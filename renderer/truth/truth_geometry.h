@@ -13,10 +13,12 @@ struct SeenTexel {
   glm::vec4 base{1};      // base colour texel, linear (as-tutorial: the code), and its alpha
   glm::vec4 normal{0};    // normal map's texel, 0..1, and the occlusion texel
   glm::vec4 emission{0};  // emission texel
+  glm::vec4 specular{1};  // specular colour's texel, linear (as-tutorial: the code), and the texel of its weight
 
   int instance() const { return static_cast<int>(seen.x) - 1; }
   int triangle() const { return static_cast<int>(seen.y); }
 };
+inline constexpr int kSeenTexels = sizeof(SeenTexel) / sizeof(glm::vec4);
 
 // A line of sight: origin relative to the camera, direction not normalised.
 struct Ray {
@@ -34,7 +36,8 @@ struct TruthMaterial {
   glm::dvec3 normal{0};  // world, unit
   glm::dvec3 base{0};    // linear
   double metal = 0, roughness = 1, occlusion = 1;
-  glm::dvec3 emission{0};  // radiance
+  glm::dvec3 dielectric{kCommonReflectance};  // what it reflects where it is no metal
+  glm::dvec3 emission{0};                     // radiance
   bool unlit = false;
 };
 

@@ -84,7 +84,7 @@ ShadingModelOf::ShadingModelOf(const Settings& s)
       spot(s.lights.spot),
       windowed_range(s.range.kind == RangeKind::windowed),
       constant_exponent(s.shading.exponent),
-      dielectric_f0(s.shading.model == ShadingModel::ggx ? 0.04 : s.shading.specular) {}
+      dielectric_f0(s.shading.model == ShadingModel::ggx ? kCommonReflectance : s.shading.specular) {}
 
 double ShadingModelOf::exponent(double roughness) const {
   if (constant_exponent >= 0) return constant_exponent;

@@ -203,11 +203,16 @@ SeenTexel texel_of(const Hit& hit, const Scene& scene, Colour colour) {
   const Mesh& mesh = scene.meshes[static_cast<size_t>(placed.mesh)];
   const Material& m = scene.materials[static_cast<size_t>(placed.material)];
   const TextureAt at(mesh, &mesh.indices[3 * static_cast<size_t>(hit.triangle)], hit.weights);
+  const auto colour_of = [&](const TextureUse& use) {
+    const glm::dvec4 texel = at.nearest(scene, use);
+    return colour == Colour::as_tutorial ? glm::dvec3(texel) : linear(texel);
+  };
   const glm::dvec4 base = at.nearest(scene, m.base_colour_texture), rough = at.nearest(scene, m.roughness_texture);
   seen.seen = glm::vec4(hit.instance + 1, hit.triangle, rough.y, rough.z);
-  seen.base = glm::vec4(colour == Colour::as_tutorial ? glm::dvec3(base) : linear(base), base.a);
+  seen.base = glm::vec4(colour_of(m.base_colour_texture), base.a);
   seen.normal = glm::vec4(0.5f, 0.5f, 1, at.nearest(scene, m.occlusion_texture).x);
   seen.emission = glm::vec4(linear(at.nearest(scene, m.emissive_texture)), 0);
+  seen.specular = glm::vec4(colour_of(m.specular_colour_texture), at.nearest(scene, m.specular_texture).w);
   return seen;
 }
 

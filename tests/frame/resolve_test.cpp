@@ -26,6 +26,9 @@ TEST(NeedsOf, LooksAtWhatIsUsedAndOpaque) {
   Material occluded;
   occluded.occlusion_texture.texture = 0;
   EXPECT_TRUE(needs_of(with(occluded)).occlusion);
+  EXPECT_TRUE(needs_of(with({.refraction_index = 1.33f})).specular);
+  EXPECT_TRUE(needs_of(with({.specular = 0.5f})).specular);
+  EXPECT_FALSE(needs_of(with({.specular = 0.5f, .unlit = true})).specular) << "it reflects nothing";
 }
 
 TEST(Resolve, AutoTakesTheSmallestLayoutThatHoldsTheMaterials) {
@@ -36,6 +39,17 @@ TEST(Resolve, AutoTakesTheSmallestLayoutThatHoldsTheMaterials) {
     const Resolved r = resolve(s, with(m));
     EXPECT_EQ(r.settings.layout, Layout::compact_metal);
     EXPECT_GE(r.notes.size(), 2u) << "what is left out is said";
+  }
+}
+
+TEST(Resolve, AReflectanceOfItsOwnIsKeptByAutoAndByTheLabsOwnLayouts) {
+  for (const Layout l :
+       {Layout::auto_, Layout::compact, Layout::compact_metal, Layout::exact, Layout::exact_emission}) {
+    Settings s;
+    s.layout = l;
+    const Resolved r = resolve(s, with({.metal = 0.5f, .emissive = glm::vec3(1), .specular_colour = {1, 0.5f, 0}}));
+    EXPECT_EQ(r.settings.layout, Layout::exact_specular) << row(l).id;
+    EXPECT_FALSE(r.notes.empty());
   }
 }
 

@@ -80,6 +80,34 @@ TEST(GltfMaterial, EveryFactor) {
   EXPECT_TRUE(m.unlit);
 }
 
+TEST(GltfMaterial, ReflectanceOfNonMetals) {
+  GltfFile file = textured_file();
+  json& material = file.doc["materials"][0];
+  EXPECT_TRUE(reflects_as_common(file.load().materials.at(0)));
+  file.doc["extensionsRequired"] = {"KHR_materials_ior", "KHR_materials_specular"};
+  const json shift = {{"KHR_texture_transform", {{"offset", {.5, .25}}, {"texCoord", 1}}}};
+  material["extensions"] = {{"KHR_materials_ior", {{"ior", 1.33}}},
+                            {"KHR_materials_specular",
+                             {{"specularFactor", .5},
+                              {"specularTexture", {{"index", 0}, {"texCoord", 1}}},
+                              {"specularColorFactor", {2, .5, .25}},
+                              {"specularColorTexture", {{"index", 0}, {"extensions", shift}}}}}};
+  const Material m = file.load().materials.at(0);
+  EXPECT_EQ(m.refraction_index, 1.33f);
+  EXPECT_EQ(m.specular, .5f);
+  EXPECT_EQ(m.specular_colour, glm::vec3(2, .5f, .25f));
+  EXPECT_EQ(m.specular_texture.texture, m.base_colour_texture.texture);
+  EXPECT_EQ(m.specular_texture.uv_set, 1);
+  EXPECT_EQ(m.specular_colour_texture.texture, m.base_colour_texture.texture);
+  EXPECT_EQ(m.specular_colour_texture.uv_set, 1);
+  EXPECT_EQ(apply(m.specular_colour_texture.uv_transform, {0, 0}), glm::vec2(.5f, .25f));
+  EXPECT_FALSE(reflects_as_common(m));
+  for (const auto& [index, read] : {std::pair{0.0, 0.0f}, {0.5, 1.0f}, {-3.0, 1.0f}, {1.0, 1.0f}, {2.4, 2.4f}}) {
+    material["extensions"] = {{"KHR_materials_ior", {{"ior", index}}}};
+    EXPECT_EQ(file.load().materials.at(0).refraction_index, read) << index;
+  }
+}
+
 TEST(GltfMaterial, TextureTransformTurnsCounterClockwiseAsSeen) {
   GltfFile file = textured_file();
   json& use = file.doc["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];

@@ -34,9 +34,7 @@ void expect_whole(const Scene& scene) {
   for (const Texture& t : scene.textures)
     ASSERT_EQ(t.rgba.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4);
   for (const Material& m : scene.materials)
-    for (const TextureUse* use :
-         {&m.base_colour_texture, &m.normal_texture, &m.roughness_texture, &m.emissive_texture, &m.occlusion_texture})
-      ASSERT_LT(use->texture, static_cast<int>(scene.textures.size()));
+    for (const TextureUse* use : texture_uses(m)) ASSERT_LT(use->texture, static_cast<int>(scene.textures.size()));
   ASSERT_GT(scene.camera.far, scene.camera.near);
 }
 

@@ -30,7 +30,8 @@ const Case kRefused[] = {
     {"no asset", [](auto& f) { f.doc.erase("asset"); }, "no 'asset' in it"},
     {"extension", [](auto& f) { f.doc["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
      "it requires the extension KHR_draco_mesh_compression; export it without; supported: KHR_lights_punctual, "
-     "KHR_materials_emissive_strength, KHR_materials_unlit, KHR_mesh_quantization, KHR_texture_transform"},
+     "KHR_materials_emissive_strength, KHR_materials_ior, KHR_materials_specular, KHR_materials_unlit, "
+     "KHR_mesh_quantization, KHR_texture_transform"},
     {"no meshes", [](auto& f) { f.doc.erase("meshes"); }, "nothing drawable"},
     {"no scene nodes", [](auto& f) { f.doc["scenes"][0].erase("nodes"); }, "nothing drawable in it; give a model"},
     {"list", [](auto& f) { f.doc["meshes"] = 3; }, "'meshes' is not a list"},
@@ -153,6 +154,9 @@ const Case kNoted[] = {
     {"material", [](auto& f) { primitive(f)["material"] = 3; }, "'material' is 3, but there are 1 materials"},
     {"texture", [](auto& f) { f.doc["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 3; },
      "'baseColorTexture' 'index' is 3, but there are 1 textures; left out"},
+    {"specular texture",
+     [](auto& f) { f.doc["materials"][0]["extensions"]["KHR_materials_specular"]["specularTexture"]["index"] = 3; },
+     "'specularTexture' 'index' is 3, but there are 1 textures; left out"},
     {"image", [](auto& f) { f.doc["textures"][0]["source"] = 2; }, "'source' is 2, but there are 1 images"},
     {"sampler", [](auto& f) { f.doc["textures"][0]["sampler"] = 2; }, "'sampler' is 2, but there are 0 samplers"},
     {"image's view", [](auto& f) { f.doc["images"][0]["bufferView"] = 77; }, "'bufferView' is 77"},

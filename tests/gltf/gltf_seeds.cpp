@@ -52,6 +52,12 @@ GltfFile rich_material_file() {
   material["emissiveTexture"] = {{"index", 0}};
   material["emissiveFactor"] = {1, .5, .25};
   material["extensions"] = {{"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}},
+                            {"KHR_materials_ior", {{"ior", 1.33}}},
+                            {"KHR_materials_specular",
+                             {{"specularFactor", .5},
+                              {"specularTexture", {{"index", 0}}},
+                              {"specularColorFactor", {1, .5, .25}},
+                              {"specularColorTexture", {{"index", 0}}}}},
                             {"KHR_materials_unlit", json::object()}};
   material["alphaMode"] = "MASK";
   file.add("samplers", {{"wrapS", 33071}, {"minFilter", 9728}});

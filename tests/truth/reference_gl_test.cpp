@@ -164,6 +164,55 @@ TEST_F(ReferenceGl, UnlitSurfacesAreShownAsTheyAre) {
     }
 }
 
+// KHR_materials_ior and KHR_materials_specular: the reflectance at normal incidence is min(((n - 1) / (n + 1))^2 colour, 1)
+// weight where the surface is no metal. The view of F0 shows it, and the reference adds it to the light of the sky.
+TEST_F(ReferenceGl, NonMetalsReflectWhatTheirIndexAndTheirMapsSay) {
+  Scene wall = make_plane(20, {.base_colour = {0.2f, 0.3f, 0.4f, 1}, .roughness = 0.6f});
+  wall.textures = {{.name = "weight and colour",
+                    .size = {1, 1},
+                    .rgba = {255, 255, 0, 128}}};  // ends of the sRGB curve: drivers agree there
+  wall.bounds = bounds_of(wall);
+  const double alpha = 128 / 255.0;
+  struct Case {
+    float index, weight, metal;
+    glm::vec3 colour;
+    bool maps;
+    glm::dvec3 expected;
+  };
+  const double water = 0.33 * 0.33 / (2.33 * 2.33);
+  const Case cases[] = {{1.5f, 1, 0, glm::vec3(1), false, glm::dvec3(0.04)},
+                        {1.33f, 1, 0, glm::vec3(1), false, glm::dvec3(water)},
+                        {1, 1, 0, glm::vec3(1), false, glm::dvec3(0)},
+                        {0, 0.5f, 0, glm::vec3(1), false, glm::dvec3(0.5)},
+                        {1.5f, 0.25f, 0, {1, 0.5f, 30}, false, {0.01, 0.005, 0.25}},
+                        {1.5f, 0.5f, 0, {1, 2, 1}, true, {0.02 * alpha, 0.04 * alpha, 0}},
+                        {1.5f, 0.5f, 0.5f, glm::vec3(1), false, {0.11, 0.16, 0.21}}};
+  for (const Case& c : cases) {
+    Material& m = wall.materials[0];
+    m.refraction_index = c.index, m.specular = c.weight, m.metal = c.metal, m.specular_colour = c.colour;
+    m.specular_texture.texture = m.specular_colour_texture.texture = c.maps ? 0 : kNoTexture;
+    const GpuScene scene(std::make_shared<const Scene>(wall));
+    Settings s = closed_settings();
+    s.shading.model = ShadingModel::ggx;
+    s.lights.method = LightMethod::fullscreen;
+    s.ambient = 1;
+    const auto set = truth_of(s, scene);
+    const size_t middle = set->truth.pixels() / 2 + 16;
+    const glm::dvec3 base(wall.materials[0].base_colour);
+    const glm::dvec3 unlit = base * (1 - double(c.metal)) + c.expected;
+    // Base colour and F0 of ten bits, sRGB-coded: half a step each, and the curve is nowhere steeper than 2.4.
+    for (const auto& [layout, tolerance] : {std::pair{Layout::float32, 1e-6}, {Layout::exact_specular, 2.4 / 1023}}) {
+      s.layout = layout;
+      renderer.render(s, scene, targets);
+      const std::vector<glm::vec3> lit = read_lit(targets);
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(set->truth.lit[middle][k], unlit[k], 1e-7) << c.index << " " << c.weight << " " << k;
+        EXPECT_NEAR(double(lit[middle][k]), unlit[k], tolerance) << row(layout).id << " " << c.index << " " << k;
+      }
+    }
+  }
+}
+
 // A sunlit wall is brighter than half floats reach, and a dim lamp darker than they resolve: sums are kept in the
 // display's units there.
 TEST_F(ReferenceGl, AnyLightIsSummedInHalfFloats) {
