@@ -65,6 +65,8 @@ TEST(Memory, AModelTakesFourTimesItsFileAndTheProgram) {
   const std::pair<const char*, double> views[] = {{"final", bound}, {"reference", bound + 80}};
   for (const auto& [view, most] : views) {
     const double peak = peak_mb_of([&, &name = view] {
+      // With threads llvmpipe bins the next 36 MiB of triangles while it draws the last, or does not, as it happens.
+      setenv("LP_NUM_THREADS", "0", 1);
       if (!std::freopen("/dev/null", "w", stdout)) _exit(1);
       execl(gbufferlab.c_str(), "gbufferlab", "render", "--scene", file.c_str(), "--size", "64x36", "--only", name,
             "-o", out.c_str(), nullptr);
