@@ -113,7 +113,7 @@ ui::Sheet sheet_of(Lab& lab, const std::vector<View>& views_shown) {
 
 Image picture_of(Lab& lab, const ui::Sheet& sheet) {
   ui::Ui ui(lab.drawn(), false);
-  ImguiScreen screen(ui);
+  ImguiScreen screen;
   const ui::Input input = ui_input(lab);
   const auto draw = [&] { ui::draw_sheet(sheet, lab.drawn(), input); };
   return screen.picture(ui::sheet_size(sheet, lab.drawn()), draw);
@@ -168,7 +168,7 @@ namespace {
 // The first screen, as the window shows it.
 Image first_screen(Lab& lab, Settings s) {
   ui::Ui ui(s, false);
-  ImguiScreen screen(ui);
+  ImguiScreen screen;
   lab.draw(s);
   lab.count_pairs(true);
   for (const ViewRow& v : views())

@@ -4,10 +4,12 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
+#include <future>
 #include <utility>
 
 #include "app/commands.h"
 #include "app/imgui_screen.h"
+#include "app/load_stage.h"
 #include "app/viewer.h"
 #include "app/window.h"
 #include "renderer/base/files.h"
@@ -54,19 +56,42 @@ struct GlfwBackend {
   ~GlfwBackend() { ImGui_ImplGlfw_Shutdown(); }
 };
 
+void show_start(Window& window, ImguiScreen& screen, const std::string& line) {
+  const glm::ivec2 size = window.framebuffer_size();
+  if (size.x == 0 || size.y == 0) return;
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  screen.draw(size, [&] { ui::draw_start(line); });
+  window.swap();
+}
+
+// Reads what the command line names while the window says how far it is. Nothing if the window was closed meanwhile.
+std::optional<Setup> open_meanwhile(const Arguments& a, Window& window, ImguiScreen& screen) {
+  LoadStage stage;
+  std::future<Setup> work = std::async(std::launch::async, [&] { return setup_of(a, &stage.progress()); });
+  while (work.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    show_start(window, screen, fmt::format("reading {}: {}", a.scene.value_or(""), stage.text()));
+    window.wait_events(kFrameSeconds);
+    if (!window.closing()) continue;
+    stage.cancel();
+    work.wait();
+    return {};
+  }
+  return work.get();
+}
+
 class Loop {
  public:
-  Loop(const Arguments& a, Settings s, std::shared_ptr<const Scene> scene)
-      : settings_(std::move(s)),
+  Loop(const Arguments& a, Window& window, ImguiScreen& screen, Setup setup)
+      : window_(window),
+        screen_(screen),
+        settings_(std::move(setup.settings)),
         ui_(settings_, a.present),
-        window_(kWindowSize, "G-Buffer Lab"),
         lab_(without_of(a)),
         viewer_(lab_),
-        screen_(ui_),
         backend_(window_) {
-    if (scene) {
-      viewer_.say(fmt::format("{}", fmt::join(notes_of(*scene, settings_.lights.source), "; ")));
-      lab_.show(settings_.scene, std::move(scene));
+    if (setup.scene) {
+      viewer_.say(fmt::format("{}", fmt::join(notes_of(*setup.scene, settings_.lights.source), "; ")));
+      lab_.show(settings_.scene, std::move(setup.scene));
     }
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
     settings_.size = {800, 450};
@@ -127,12 +152,12 @@ class Loop {
     return std::min(kIdleSeconds, wake_in_);
   }
 
+  Window& window_;
+  ImguiScreen& screen_;
   Settings settings_;
   ui::Ui ui_;
-  Window window_;
   Lab lab_;
   Viewer viewer_;
-  ImguiScreen screen_;
   GlfwBackend backend_;
   int quiet_frames_ = 0;
   double touched_s_ = 0;
@@ -142,8 +167,13 @@ class Loop {
 }  // namespace
 
 ExitCode run_view(const Arguments& a) {
-  auto [settings, scene] = setup_of(a);
-  Loop(a, std::move(settings), std::move(scene)).run(a.frames.value_or(0));
+  if (!display_present()) setup_of(a);  // what is wrong with the command line is said first
+  Window window(kWindowSize, "G-Buffer Lab");
+  ImguiScreen screen;
+  std::optional<Setup> setup = open_meanwhile(a, window, screen);
+  if (!setup) return ExitCode::done;  // closed before it was open
+  show_start(window, screen, "compiling shaders, drawing the first frame");
+  Loop(a, window, screen, std::move(*setup)).run(a.frames.value_or(0));
   return ExitCode::done;
 }
 

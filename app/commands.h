@@ -15,6 +15,8 @@
 
 namespace gbl {
 
+struct LoadProgress;
+
 // The command line, read but not yet judged: see settings_of() for the order in which its parts apply.
 struct Arguments {
   std::string command;                // empty: none given
@@ -54,7 +56,7 @@ struct Setup {
   Settings settings;
   std::shared_ptr<const Scene> scene;  // of settings.scene, or null
 };
-Setup setup_of(const Arguments&);
+Setup setup_of(const Arguments&, const LoadProgress* = nullptr);
 FeatureSet without_of(const Arguments&);
 
 struct Command {

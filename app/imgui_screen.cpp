@@ -10,11 +10,11 @@
 
 namespace gbl {
 
-ImguiScreen::ImguiScreen(ui::Ui& style) {
+ImguiScreen::ImguiScreen() {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is written to the working folder
-  style.set_up_style();
+  ui::Ui::set_up_style();
   ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 

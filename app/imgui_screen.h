@@ -11,7 +11,7 @@ namespace gbl {
 // The ImGui context and its GL back-end. Needs a current GL context; one at a time.
 class ImguiScreen {
  public:
-  explicit ImguiScreen(ui::Ui& style);
+  ImguiScreen();
   ~ImguiScreen();
   ImguiScreen(const ImguiScreen&) = delete;
 

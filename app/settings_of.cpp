@@ -65,12 +65,12 @@ Settings read_state(const std::string& file) {
 
 }  // namespace
 
-Setup setup_of(const Arguments& a) {
+Setup setup_of(const Arguments& a, const LoadProgress* progress) {
   Setup setup{preset(a.preset.value_or("start")).make(), nullptr};
   Settings& s = setup.settings;
   if (a.state) s = read_state(*a.state);
   if (a.scene) {
-    setup.scene = open_scene(*a.scene);
+    setup.scene = open_scene(*a.scene, progress);
     apply_scene(s, *a.scene, *setup.scene);
     if (!a.preset && !a.state) apply_drawing(s, *a.scene);
   }

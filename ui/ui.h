@@ -77,7 +77,7 @@ class Ui {
   ~Ui();
 
   // Load fonts into the current ImGui context and set its style; once, before the first frame.
-  void set_up_style();
+  static void set_up_style();
 
   // One frame inside ImGui::NewFrame() … Render(), filling the display. Keys are those since the last frame.
   Requests draw(Settings&, const Input&, const std::vector<KeyEvent>& keys);
@@ -92,6 +92,9 @@ class Ui {
  private:
   std::unique_ptr<State> state_;
 };
+
+// The window before there is anything to show: what the program does meanwhile, over the whole display.
+void draw_start(const std::string& line);
 
 // ---- pictures without a window ---------------------------------------------------------------------------
 // The same panels in a captioned contact sheet, for ImGui frames drawn off screen.

@@ -23,7 +23,7 @@ class Desk {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = display;
     io.KeyMap[ImGuiKey_Space] = ' ';
-    ui.set_up_style();
+    Ui::set_up_style();
     unsigned char* pixels;
     int width, height;
     io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
