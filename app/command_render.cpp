@@ -105,7 +105,7 @@ ui::Sheet sheet_of(Lab& lab, const std::vector<View>& views_shown) {
   sheet.title = "G-Buffer Lab";
   sheet.caption = in_words(lab.drawn(), lab.report());
   for (const View v : views_shown) {
-    if (!needs_truth(v)) lab.draw_view(v, {.overlays = v == View::final});
+    if (!needs_truth(v)) lab.draw_measured_view(v, {.overlays = v == View::final});
     sheet.tiles.push_back({v, lab.handle_of(v), ""});
   }
   return sheet;
@@ -142,7 +142,7 @@ ExitCode run_render(const Arguments& a) {
     if (needs_truth(v))
       draw_against_truth(lab, v);
     else
-      lab.draw_view(v);
+      lab.draw_measured_view(v);
     writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v));
     if (!a.raw || needs_truth(v)) continue;
     lab.draw_view(v, {.raw = true});
@@ -172,7 +172,7 @@ Image first_screen(Lab& lab, Settings s) {
   lab.draw(s);
   lab.count_pairs(true);
   for (const ViewRow& v : views())
-    if (!std::string_view(v.key).empty()) lab.draw_view(v.view, {.overlays = v.view == View::final});
+    if (std::string_view(v.key).size() == 1) lab.draw_measured_view(v.view, {.overlays = v.view == View::final});
   lab.collect(true);
   const ui::Input input = ui_input(lab);
   return screen.picture({1600, 900}, [&] { ui.draw(s, input, {}); });

@@ -14,6 +14,7 @@ void Lab::open(const std::string& name) {
 void Lab::show(const std::string& name, std::shared_ptr<const Scene> scene) {
   gpu_scene_ = std::make_shared<GpuScene>(std::move(scene));
   truths_.forget();
+  meter_.forget();
   scene_name_ = name;
 }
 
@@ -40,7 +41,16 @@ const std::vector<Light>& Lab::lights() const {
 }
 
 void Lab::draw_view(View view, ViewOptions options) {
+  options.stats = meter_.of(view);
   renderer_.draw_view(view, drawn_, *gpu_scene_, targets_, options);
+}
+
+void Lab::draw_measured_view(View view, ViewOptions options) {
+  if (follows_picture(view, drawn_.view)) {
+    ask_stats(view);
+    meter_.take(view, true);
+  }
+  draw_view(view, options);
 }
 
 bool Lab::draw_truth_view(View view, bool wait) {
@@ -99,6 +109,7 @@ ui::Input ui_input(const Lab& lab) {
   ui::Input input{
       .scene = lab.scene(), .lights = lab.lights(), .features = lab.device().features, .report = lab.report()};
   for (int v = 0; v < kViewCount; ++v) input.images[v] = lab.handle_of(static_cast<View>(v));
+  for (int v = 0; v < kViewCount; ++v) input.stats[v] = lab.stats_of(static_cast<View>(v));
   input.error = lab.error_stats();
   return input;
 }

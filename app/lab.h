@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/truth_keeper.h"
+#include "app/view_meter.h"
 #include "renderer/frame/estimate.h"
 #include "renderer/frame/validate.h"
 #include "renderer/gl/device.h"
@@ -37,7 +38,13 @@ class Lab {
   // Validates, opens the scene, draws up to `lit`. On an Error nothing has changed.
   void draw(const Settings&);
   void look_at(const Settings::View& view) { drawn_.view = view; }  // what overlays are drawn; the frame stays
+  // With what is known of its numbers: `measured` works that out first, and waits for it.
   void draw_view(View, ViewOptions = {});
+  void draw_measured_view(View, ViewOptions = {});
+  void ask_stats(View v) { meter_.ask(v, renderer_, drawn_, *gpu_scene_, targets_, {}); }
+  bool take_stats(View v) { return meter_.take(v, false); }  // true: a new answer
+  bool stats_pending(View v) const { return meter_.waiting(v); }
+  const ViewStats* stats_of(View v) const { return meter_.of(v); }
   void count_pairs(bool lit_too) { renderer_.count_pairs(drawn_, *gpu_scene_, targets_, lit_too); }
   void start_probe(glm::ivec2 pixel) { renderer_.start_probe(drawn_, *gpu_scene_, targets_, pixel); }
   std::optional<PixelProbe> take_probe(bool wait = false) { return renderer_.take_probe(targets_, wait); }
@@ -72,6 +79,7 @@ class Lab {
   FrameReport report_;
   TruthKeeper truths_;
   std::optional<ErrorStats> error_stats_;
+  ViewMeter meter_;
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

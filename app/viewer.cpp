@@ -107,15 +107,33 @@ void Viewer::draw_truth(const Settings& s, const ui::Requests& requests, bool al
   truth_waiting_ = wanted && !moving_ && (!complete || stats_pending_);
 }
 
-void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
-  const bool overlays_changed = !(s.view == view_drawn_);
+// What the colours and the histogram of a view are made from arrives some frames later; the view is then drawn again.
+void Viewer::take_stats(const ui::Requests& requests) {
+  stats_waiting_ = false;
   for (int v = 0; v < kViewCount; ++v) {
     const View view = static_cast<View>(v);
-    const bool stale = all || !fresh_[v] || (view == View::final && overlays_changed);
+    if (lab_.take_stats(view) && follows_picture(view, lab_.drawn().view)) fresh_[v] = false;
+    stats_waiting_ |= requests.visible[v] && lab_.stats_pending(view);
+  }
+}
+
+void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
+  const bool overlays_changed = !(s.view == view_drawn_);
+  if (all) asked_stats_.fill(false);
+  take_stats(requests);
+  for (int v = 0; v < kViewCount; ++v) {
+    const View view = static_cast<View>(v);
+    const bool looks_changed = look_of(s.view.looks, row(view).id) != look_of(view_drawn_.looks, row(view).id);
+    const bool stale = all || !fresh_[v] || looks_changed || (view == View::final && overlays_changed);
     if (needs_truth(view) || !requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
     lab_.look_at(s.view);
     lab_.draw_view(view, {.overlays = view == View::final});
     fresh_[v] = true;
+    const bool wanted = follows_picture(view, s.view) || row(view).id == s.view.main;
+    if (wanted && !std::exchange(asked_stats_[v], true)) {
+      lab_.ask_stats(view);
+      stats_waiting_ = true;
+    }
   }
   draw_truth(s, requests, all);
   view_drawn_ = s.view;

@@ -39,12 +39,13 @@ class Viewer {
   bool busy() const { return drawing() || measures_more(); }
 
  private:
-  bool drawing() const { return waiting_ || moving_ || truth_waiting_ || loader_.loading(); }
+  bool drawing() const { return waiting_ || moving_ || truth_waiting_ || stats_waiting_ || loader_.loading(); }
   bool measures_more() const;
   bool scene_ready(const Settings&);
   void arrive(bool wait, LightSource lights);  // lights: those shown in the scene, unless it was dropped
   void draw_frame(const Settings&, bool moving);
   void draw_truth(const Settings&, const ui::Requests&, bool all);
+  void take_stats(const ui::Requests&);
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload();
   Settings affordable(const Settings&, bool moving);
@@ -55,9 +56,11 @@ class Viewer {
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
   std::optional<Settings> asked_;           // of the last attempt, drawn or refused; empty: to be drawn anew
   bool waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
-  bool truth_waiting_ = false;            // a visible view still waits for the reference
-  bool stats_pending_ = false;            // of the error view
-  std::array<bool, kViewCount> fresh_{};  // views that show the frame drawn last
+  bool truth_waiting_ = false;                  // a visible view still waits for the reference
+  bool stats_pending_ = false;                  // of the error view
+  std::array<bool, kViewCount> fresh_{};        // views that show the frame drawn last
+  std::array<bool, kViewCount> asked_stats_{};  // of the frame drawn last
+  bool stats_waiting_ = false;                  // of a visible view
   Settings::View view_drawn_;
   std::optional<PixelProbe> probe_;
   std::optional<glm::ivec2> probe_asked_;

@@ -42,6 +42,12 @@
 #define SPECULAR_MAP 5
 #define SPECULAR_COLOUR_MAP 6
 
+// What views.frag draws of a view.
+#define VIEW_AS_SHOWN 0
+#define VIEW_AS_STORED 1
+#define VIEW_AS_NUMBERS 2
+#define VIEW_AS_LOOK 3
+
 // Blocks of pixels summed by one texel of the count reduction: 16 x 16 x 16384 lights < 2^24 is exact in float.
 #define COUNT_BLOCK 16
 
@@ -58,7 +64,7 @@ GBL_BLOCK(FrameBlock) {
   vec4 viewport;             // width, height, 1/width, 1/height
   vec4 background;           // linear colour
   vec4 shading;              // exponent (-1: from roughness), specular factor, ambient, exposure
-  vec4 view_range;           // depth view: from, to in world units; position view: units of a colour cycle
+  vec4 position_cycle;       // x: world units in which the position view's colours repeat
   vec4 light_scale;          // what light sums are stored times, 1 over it: powers of two (resolved_frame.h)
   ivec4 lights;              // count, -, -, -
 };

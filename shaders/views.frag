@@ -1,23 +1,37 @@
-// One picture per view, for the eye: display-coded RGBA8. VIEW_FILE is the view's own file:
+// One view: a picture for the eye, display-coded RGBA8, or its numbers. VIEW_FILE is the view's own file:
+//   vec3 value(ivec2 texel)   its numbers, in its unit
 //   vec4 shown(ivec2 texel)   as it is looked at
 //   vec4 raw(ivec2 texel)     the stored codes, undecoded
-// What it may read is declared here and in gbuffer_read.glsl.
+// What it may read is declared here and in gbuffer_read.glsl. VIEW_AS says what is drawn.
 #include "gbuffer_read.glsl"
 
 uniform sampler2D lit;
 uniform sampler2D counts;         // pairs tested, shaded, in range
+uniform usampler2D ids;           // numbers of the objects, from 1
 #if SPLIT
 uniform sampler2D light_diffuse;
 uniform sampler2D light_specular;
 #endif
+#ifdef STORED_ID
+uniform usampler2D gbuffer_id;
+#endif
 uniform vec3 empty_colour;        // where no surface is
-uniform int wasted_from[6];       // the number from which each colour stands
-uniform vec3 count_palette[6];    // 0, 1, 2, 3, 4, 5 and more
+uniform vec2 black_and_white;     // in the view's unit
+uniform int count_from[6];        // the number from which each colour stands
+uniform vec3 count_palette[6];
 layout(location = 0) out vec4 picture;
 
 // Views show where the depth says a surface is, whatever the lighting takes for one.
 vec4 on_surfaces(ivec2 texel, vec3 colour) {
   return vec4(read_depth(texel) != kFarDepth ? colour : empty_colour, 1.0);
+}
+
+vec3 of_range(vec3 v) { return (v - black_and_white.x) / (black_and_white.y - black_and_white.x); }
+
+vec3 colour_of_count(float count) {
+  int colour = 0;
+  for (int i = 1; i < 6; ++i) colour += int(count) >= count_from[i] ? 1 : 0;
+  return count_palette[colour];
 }
 
 // What stands for codes that are not stored.
@@ -34,11 +48,44 @@ vec4 raw_texel(vec4 t) { return t; }
 
 #include VIEW_FILE
 
+#if VIEW_AS == VIEW_AS_NUMBERS
+uniform ivec4 pixel_grid;  // of the asked pixels: the first texel, the step
 void main() {
-  ivec2 texel = ivec2(gl_FragCoord.xy);
-#if RAW
-  picture = raw(texel);
+  ivec2 texel = pixel_grid.xy + ivec2(gl_FragCoord.xy) * pixel_grid.zw;
+  picture = vec4(value(texel), BACKGROUND_TOO == 1 || read_depth(texel) != kFarDepth ? 1.0 : 0.0);
+}
+#elif VIEW_AS == VIEW_AS_LOOK
+uniform vec3 look_channels;  // 1 where shown
+bool finite(float x) { return abs(x) < 3.0e38; }
+#if LOOK_STOPS > 0
+uniform vec3 look_stops[LOOK_STOPS];
+uniform int look_channel;
+vec3 looked_at(vec3 t) {
+  float place = clamp(t[look_channel], 0.0, 1.0) * float(LOOK_STOPS - 1);
+  int i = min(int(place), LOOK_STOPS - 2);
+  return mix(look_stops[i], look_stops[i + 1], place - float(i));
+}
 #else
-  picture = shown(texel);
+vec3 looked_at(vec3 t) {
+#if LOOK_CODED
+  return look_channels * coded_from_linear(clamp(t, 0.0, 1.0));
+#else
+  return look_channels * clamp(t, 0.0, 1.0);
 #endif
 }
+#endif
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec3 v = value(texel);
+  vec3 colour = finite(v.x) && finite(v.y) && finite(v.z) ? looked_at(of_range(v)) : vec3(1.0, 0.0, 1.0);
+#if BACKGROUND_TOO
+  picture = vec4(colour, 1.0);
+#else
+  picture = on_surfaces(texel, colour);
+#endif
+}
+#elif VIEW_AS == VIEW_AS_STORED
+void main() { picture = raw(ivec2(gl_FragCoord.xy)); }
+#else
+void main() { picture = shown(ivec2(gl_FragCoord.xy)); }
+#endif

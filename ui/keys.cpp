@@ -56,7 +56,8 @@ bool press_option(FrameContext& f, const KeyEvent& e) {
 
 bool press_view(FrameContext& f, const KeyEvent& e) {
   for (const ViewRow& v : views()) {
-    if (!which_key(key_spec(v.key), e)) continue;
+    const KeySpec keys = key_spec(v.key);
+    if (keys.shift != e.shift || !which_key(keys, e)) continue;
     if (!e.repeat) show_view(f, v.view);
     return true;
   }

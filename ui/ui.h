@@ -32,12 +32,13 @@ struct Input {
   const Scene& scene;
   const std::vector<Light>& lights;  // of these settings
   FeatureSet features;
-  const FrameReport& report;                 // of the last frame that was drawn
-  std::array<ViewImage, kViewCount> images;  // by View
-  std::optional<PixelProbe> probe;           // of the pixel asked for
-  std::optional<ErrorStats> error;           // of the error view; empty: not drawn yet
-  double truth_progress = 1;                 // of the reference that is being made; 1: none is
-  const ChartInput* chart = nullptr;         // these three null: nothing is ever measured here
+  const FrameReport& report;                         // of the last frame that was drawn
+  std::array<ViewImage, kViewCount> images;          // by View
+  std::array<const ViewStats*, kViewCount> stats{};  // of what is seen, by View; null: not known
+  std::optional<PixelProbe> probe;                   // of the pixel asked for
+  std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
+  double truth_progress = 1;                         // of the reference that is being made; 1: none is
+  const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
   std::string message;            // an error or a notice to show until the next key; empty = none

@@ -57,7 +57,7 @@ Box picture_box(const Box& panel, glm::ivec2 picture) {
 
 Legend legend_now(View v, const Settings& s, const Input& in) {
   if (v == View::error && in.error) return error_legend(*in.error, s.view.error.scale);
-  return legend(v, s, in.scene.bounds);
+  return legend(v, s, in.scene.bounds, in.stats[static_cast<size_t>(v)]);
 }
 
 void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& image, const Settings& s,

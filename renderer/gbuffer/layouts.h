@@ -38,6 +38,10 @@ struct MaterialTexel {
   Format format{};
   const char* contents = nullptr;
 };
+// What can be read back of a material, besides albedo, roughness and emission.
+struct Keeps {
+  bool reflectance = false, metal = false, occlusion = false, ambient = false, exponent = false;
+};
 inline constexpr int kMostMaterialTexels = 5;
 
 struct LayoutRow {
@@ -48,6 +52,7 @@ struct LayoutRow {
   bool words = false;   // the material is packed into integers
   bool floats = false;  // as floats; deferred lighting's thin G-buffer, too
   bool keeps_emission = false;
+  Keeps keeps{};
   bool alpha_marks = false;      // alpha of the first attachment is 1 where a surface is
   bool begins_sum = false;       // ambient light and emission are written with the material: into the sum of light
   int normal_bits = 0;           // free in the material's first word, for a normal that fits

@@ -45,6 +45,12 @@ ViewSource in_layouts_attachment(const Settings& s) {
 // Not part of the frame: a counter that is drawn only while somebody looks at it.
 ViewSource in_counter(const Settings&) { return {{}, "counted apart, R32F 4 B"}; }
 
+// Of the frame where the layout stores it, else drawn while somebody looks.
+ViewSource in_ids(const Settings& s) {
+  if (const std::vector<Attachment> all = attachments(s); const Attachment* a = find(all, Stores::id)) return {*a, ""};
+  return {{}, "drawn apart, R32UI 4 B"};
+}
+
 ViewSource in_reference(const Settings&) { return {{}, "worked out on the CPU, double"}; }
 
 ViewSource in_comparison(const Settings& s) {
@@ -66,6 +72,33 @@ std::string material_missing(const Settings& s) {
   const LayoutRow& layout = facts(s.layout);
   const bool stored = shading_of(s.lights.method) != Shading::deferred || layout.shows != MaterialView::nothing;
   return stored ? surface_missing(s) : layout.roughness_missing;
+}
+
+namespace {
+// Of what a layout may keep or not: why it cannot be read back.
+std::string unless_kept(const Settings& s, bool kept, std::string_view what) {
+  if (std::string none = albedo_missing(s); !none.empty()) return none;
+  return kept ? "" : fmt::format("the {} layout {}", row(s.layout).id, what);
+}
+}  // namespace
+
+std::string reflectance_missing(const Settings& s) {
+  if (shading_of(s.lights.method) == Shading::light_prepass) return {};  // what its first pass keeps
+  return unless_kept(s, facts(s.layout).keeps.reflectance, "stores none: every surface reflects alike");
+}
+std::string metal_missing(const Settings& s) { return unless_kept(s, facts(s.layout).keeps.metal, "stores no metal"); }
+std::string emission_missing(const Settings& s) {
+  return unless_kept(s, facts(s.layout).keeps_emission, "stores no emission: nothing shines by itself");
+}
+std::string occlusion_missing(const Settings& s) {
+  return unless_kept(s, facts(s.layout).keeps.occlusion, "stores no occlusion: all ambient light arrives");
+}
+std::string ambient_missing(const Settings& s) {
+  return unless_kept(s, facts(s.layout).keeps.ambient, "stores no ambient colour: it follows from the albedo");
+}
+std::string exponent_missing(const Settings& s) {
+  return unless_kept(s, facts(s.layout).keeps.exponent,
+                     "stores no exponent: it follows from the roughness, or is one for all");
 }
 
 std::string split_light_missing(const Settings& s) {

@@ -16,6 +16,7 @@ ViewSource in_attachment(const Settings& s) {
 }
 ViewSource in_layouts_attachment(const Settings&);  // where the layout keeps what key 5 shows
 ViewSource in_counter(const Settings&);
+ViewSource in_ids(const Settings&);
 ViewSource in_reference(const Settings&);
 ViewSource in_comparison(const Settings&);
 
@@ -23,6 +24,12 @@ ViewSource in_comparison(const Settings&);
 std::string surface_missing(const Settings&);
 std::string albedo_missing(const Settings&);
 std::string material_missing(const Settings&);
+std::string reflectance_missing(const Settings&);
+std::string metal_missing(const Settings&);
+std::string emission_missing(const Settings&);
+std::string occlusion_missing(const Settings&);
+std::string ambient_missing(const Settings&);
+std::string exponent_missing(const Settings&);
 std::string split_light_missing(const Settings&);
 std::string error_missing(const Settings&);
 

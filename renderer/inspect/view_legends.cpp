@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/gbuffer/layouts.h"
+#include "renderer/inspect/view_stats.h"
 #include "renderer/light/light_methods.h"
 
 namespace gbl {
@@ -45,18 +46,42 @@ glm::dvec2 depth_view_range(const Camera& camera, const Bounds& bounds) {
   return {0, std::min(round_for_bar(farthest), camera.far)};
 }
 
-Legend depth_legend(const Settings& s, const Bounds& bounds) {
-  const glm::dvec2 range = depth_view_range(s.camera, bounds);
-  Legend bar{true, {}, {{"sky", kSkyColour}}};
+Legend fitted_legend(const LegendOf& of) {
+  Legend bar{true, {}, {}};
   for (int i = 0; i <= kBarSteps; ++i) {
     const double t = static_cast<double>(i) / kBarSteps;
-    bar.entries.push_back(
-        {fmt::format("{:g}{}", range.x + t * (range.y - range.x), i < kBarSteps ? "" : " units"), grey(t)});
+    bar.entries.push_back({fmt::format("{:.6g}", glm::mix(of.range.x, of.range.y, t)), grey(t)});
   }
   return bar;
 }
 
-Legend material_legend(const Settings& s, const Bounds&) {
+Legend look_legend(const LegendOf& of, const ViewLook& look, bool single_number) {
+  if (!single_number)
+    return {false,
+            {{fmt::format("black {:.4g}", of.range.x), glm::vec3(0)},
+             {fmt::format("white {:.4g}", of.range.y), glm::vec3(1)}},
+            {}};
+  constexpr int kFiner = 4;  // colours between two numbers
+  const auto stops = stops_of(look.map == ColourMap::own ? ColourMap::grey : look.map);
+  Legend bar{true, {}, {}};
+  for (int i = 0; i <= kBarSteps * kFiner; ++i) {
+    const double t = static_cast<double>(i) / (kBarSteps * kFiner);
+    const bool numbered = i % kFiner == 0;
+    bar.entries.push_back(
+        {numbered ? fmt::format("{:.5g}", glm::mix(of.range.x, of.range.y, t)) : "", colour_at(stops, t)});
+  }
+  return bar;
+}
+
+Legend depth_legend(const LegendOf& of) {
+  Legend bar = fitted_legend(of);
+  bar.entries.back().label += " units";
+  bar.apart = {{"sky", kSkyColour}};
+  return bar;
+}
+
+Legend material_legend(const LegendOf& of) {
+  const Settings& s = of.settings;
   if (facts(s.layout).shows == MaterialView::specular && shading_of(s.lights.method) == Shading::deferred)
     return {false, {{"colour of the highlight", grey(0.5)}}, {}};
   Legend bar{true, {}, {}};
@@ -72,7 +97,7 @@ Legend material_legend(const Settings& s, const Bounds&) {
   return bar;
 }
 
-Legend normal_legend(const Settings&, const Bounds&) {
+Legend normal_legend(const LegendOf&) {
   Legend axes;
   for (const float sign : {1.0f, -1.0f})
     for (int k = 0; k < 3; ++k) {
@@ -83,31 +108,40 @@ Legend normal_legend(const Settings&, const Bounds&) {
   return axes;
 }
 
-Legend count_legend(const Settings&, const Bounds&) {
-  Legend counts;
-  for (int i = 0; i < kLightCountColours; ++i)
-    counts.entries.push_back({fmt::format("{}{}", i, i + 1 < kLightCountColours ? "" : "+"), kLightCountPalette[i]});
-  return counts;
+CountSteps count_steps(const ViewStats* stats) {
+  constexpr int kPlain = kLightCountColours - 1;
+  int last = kPlain;
+  if (stats)
+    for (int decade = 10; decade <= stats->largest(); decade *= 10)
+      for (const int times : {1, 2, 5})
+        if (times * decade <= stats->largest()) last = times * decade;
+  CountSteps from{};
+  for (int i = 1; i <= kPlain; ++i)
+    from[static_cast<size_t>(i)] =
+        last == kPlain ? i : std::max(i, static_cast<int>(std::lround(std::pow(last, (i - 1) / double(kPlain - 1)))));
+  return from;
 }
 
-Legend wasted_legend(const Settings&, const Bounds&) {
+Legend count_legend(const LegendOf& of) {
+  const CountSteps from = count_steps(of.stats);
   Legend counts;
-  for (int i = 0; i < kLightCountColours; ++i) {
-    const int from = kWastedFrom[i], to = i + 1 < kLightCountColours ? kWastedFrom[i + 1] - 1 : from;
-    const std::string label = i + 1 == kLightCountColours ? fmt::format("{}+", from)
-                              : from == to                ? fmt::format("{}", from)
-                                                          : fmt::format("{}-{}", from, to);
-    counts.entries.push_back({label, kLightCountPalette[i]});
+  for (size_t i = 0; i < from.size(); ++i) {
+    const bool last = i + 1 == from.size();
+    const int to = last ? from[i] : from[i + 1] - 1;
+    counts.entries.push_back({last            ? fmt::format("{}+", from[i])
+                              : to == from[i] ? fmt::format("{}", to)
+                                              : fmt::format("{}-{}", from[i], to),
+                              kLightCountPalette[i]});
   }
   return counts;
 }
 
-Legend position_legend(const Settings&, const Bounds& bounds) {
+Legend position_legend(const LegendOf& of) {
   return {false,
           {{"red: x", {1, 0, 0}},
            {"green: y", {0, 1, 0}},
            {"blue: z", {0, 0, 1}},
-           {fmt::format("one colour cycle = {:g} units", position_cycle(bounds)), grey(0.5)}},
+           {fmt::format("one colour cycle = {:g} units", position_cycle(of.bounds)), grey(0.5)}},
           {}};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // Legends: what a view's colours mean. Drawn by panels and sheets alike.
+#include <array>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -19,15 +20,29 @@ struct Legend {
   std::vector<LegendEntry> apart;  // swatches beside a bar: values that are not on its scale, e.g. the sky
 };
 
-// What the rows of views.inc name.
-Legend normal_legend(const Settings&, const Bounds&);
-Legend depth_legend(const Settings&, const Bounds&);
-Legend material_legend(const Settings&, const Bounds&);
-Legend count_legend(const Settings&, const Bounds&);
-Legend wasted_legend(const Settings&, const Bounds&);
-Legend position_legend(const Settings&, const Bounds&);
+struct ViewStats;
 
-// The world-unit interval that the depth view spans: 0 to the farthest corner of the scene, at most far.
+struct ViewLook;
+
+// What a legend is of.
+struct LegendOf {
+  const Settings& settings;
+  const Bounds& bounds;
+  glm::dvec2 range;        // black and white
+  const ViewStats* stats;  // of what is seen; null: not known yet
+};
+
+// What the rows of views.inc name.
+Legend normal_legend(const LegendOf&);
+Legend depth_legend(const LegendOf&);
+Legend fitted_legend(const LegendOf&);  // black to white, numbered
+Legend material_legend(const LegendOf&);
+Legend count_legend(const LegendOf&);
+Legend position_legend(const LegendOf&);
+// Of a view that has a look.
+Legend look_legend(const LegendOf&, const ViewLook&, bool single_number);
+
+// What the depth view spans before it is known what is seen: 0 to the farthest corner of the scene, at most far.
 glm::dvec2 depth_view_range(const Camera&, const Bounds&);
 
 // The smallest number >= x > 0 whose quarters are round too: a bar has labels at 0, 1/4, 1/2, 3/4 and 1.
@@ -40,9 +55,11 @@ double position_cycle(const Bounds&);
 inline constexpr glm::vec3 kSkyColour{0.09f, 0.13f, 0.30f};
 inline constexpr glm::vec3 kNoLight{0.0f};
 
-inline constexpr int kLightCountColours = 6;  // 0, 1, 2, 3, 4, 5+
-// From which number of wasted pairs on each of these colours is used: what is wasted is a multiple of what is lit.
-inline constexpr int kWastedFrom[kLightCountColours] = {0, 1, 3, 6, 11, 21};
+inline constexpr int kLightCountColours = 6;
+// From which count on each colour stands: 0 1 2 3 4 5, and where the picture's largest count is 10 or more further apart,
+// so that the last begins at the round number (1, 2 or 5 times a power of ten) below it.
+using CountSteps = std::array<int, kLightCountColours>;
+CountSteps count_steps(const ViewStats*);
 extern const glm::vec3 kLightCountPalette[kLightCountColours];
 
 }  // namespace gbl

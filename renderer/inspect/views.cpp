@@ -41,8 +41,30 @@ std::string stored_as(View v, const Settings& s) {
   return a ? fmt::format("{} {} {} B", a->name, row(a->format).label, row(a->format).bytes) : elsewhere;
 }
 
-Legend legend(View v, const Settings& s, const Bounds& bounds) {
-  return row(v).legend && why_missing(v, s).empty() ? row(v).legend(s, bounds) : Legend{};
+bool single_number(View v, const ViewLook& look) {
+  return row(v).values.components == 1 || look.channels.size() == 1 || look.map != ColourMap::own;
+}
+
+bool follows_picture(View v, const Settings::View& view) {
+  const ViewRow& r = row(v);
+  return r.counted || r.values.fitted || look_of(view.looks, r.id).fit;
+}
+
+glm::dvec2 shown_range(View v, const Settings& s, const Bounds& bounds, const ViewStats* stats) {
+  const ViewRow& r = row(v);
+  const ViewLook look = look_of(s.view.looks, r.id);
+  if (look.range) return *look.range;
+  if (stats && stats->pixels > 0 && (look.fit || r.values.fitted))
+    return fitted_range(*stats, r.values.components, look.channels);
+  return v == View::depth ? depth_view_range(s.camera, bounds) : glm::dvec2(r.values.black, r.values.white);
+}
+
+Legend legend(View v, const Settings& s, const Bounds& bounds, const ViewStats* stats) {
+  if (!why_missing(v, s).empty()) return {};
+  const ViewLook look = look_of(s.view.looks, row(v).id);
+  const LegendOf of{s, bounds, shown_range(v, s, bounds, stats), stats};
+  if (!look.plain()) return look_legend(of, look, single_number(v, look));
+  return row(v).legend ? row(v).legend(of) : Legend{};
 }
 
 std::string shader_of(View v) {

@@ -8,6 +8,7 @@
 
 #include "renderer/frame/attachments.h"
 #include "renderer/inspect/view_legends.h"
+#include "renderer/inspect/view_stats.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 
@@ -30,6 +31,16 @@ struct ViewSource {
   std::string elsewhere;
 };
 
+// The numbers that a view is of, and how they become colours where nobody says otherwise.
+struct ViewValues {
+  int components = 3;
+  const char* channels = "rgb";  // a letter each, as files and panels name them; of one component its name
+  double black = 0, white = 1;   // in the view's unit
+  bool coded = false;            // with the display's sRGB curve
+  bool fitted = false;           // black and white follow what is seen
+  bool background = false;       // pixels without a surface have numbers, too
+};
+
 struct ViewRow {
   View view;
   const char* id;   // singular; also the file's name
@@ -47,13 +58,15 @@ struct ViewRow {
   const char* mistake;     // the usual one
   // How it is made:
   bool counted = false;      // a count of pairs, made only while somebody looks
+  bool numbered = false;     // it reads the objects' numbers, which are drawn apart while somebody looks
   bool needs_truth = false;  // the reference, which takes a second or more and is made only while somebody looks
+  ViewValues values = {};
   ViewSource (*stored_as)(const Settings&);
-  std::string (*why_missing)(const Settings&) = nullptr;       // null: always there
-  Legend (*legend)(const Settings&, const Bounds&) = nullptr;  // null: its colours need none, or a panel of their own
-  bool with_transparent = false;                               // what is drawn forward after the lighting, too
-  glm::vec3 empty_colour = kSkyColour;                         // where no surface is
-  const char* fragment = nullptr;                              // a shader of its own in the place of views.frag
+  std::string (*why_missing)(const Settings&) = nullptr;  // null: always there
+  Legend (*legend)(const LegendOf&) = nullptr;            // null: its colours need none, or a panel of their own
+  bool with_transparent = false;                          // what is drawn forward after the lighting, too
+  glm::vec3 empty_colour = kSkyColour;                    // where no surface is
+  const char* fragment = nullptr;                         // a shader of its own in the place of views.frag
 };
 
 std::span<const ViewRow> views();
@@ -63,6 +76,15 @@ const ViewRow& view_by_id(std::string_view id);  // Error with the known ones
 bool needs_truth(View);
 bool counted(View);
 
+// Do its colours depend on what is seen? Then its statistics are worked out first (view_stats.h).
+bool follows_picture(View, const Settings::View&);
+
+// Is it shown as one number, along a colour map? Of several channels the first that is shown.
+bool single_number(View, const ViewLook&);
+
+// Black and white, in the view's unit: by its look, by what is seen, or its own.
+glm::dvec2 shown_range(View, const Settings&, const Bounds&, const ViewStats*);
+
 // Empty if the view can be shown under these settings, else the reason why not.
 std::string why_missing(View, const Settings&);
 
@@ -71,7 +93,7 @@ std::optional<Attachment> attachment_of(View, const Settings&);
 // It by name with format: "gbuffer.normal RG16UI 4 B", or where else the view comes from.
 std::string stored_as(View, const Settings&);
 
-Legend legend(View, const Settings&, const Bounds&);
+Legend legend(View, const Settings&, const Bounds&, const ViewStats* = nullptr);
 
 // Its file below shaders/.
 std::string shader_of(View);

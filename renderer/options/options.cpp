@@ -107,6 +107,24 @@ std::string checked_view(const Option& o, const OptionValue& v) {
   return views[static_cast<size_t>(parse_id(views, checked_text(o, v), "view", "view"))].id;
 }
 
+OptionList list_of(const Looks& looks) {
+  OptionList out;
+  for (const LookOf& l : looks) out.emplace_back(text_of(l));
+  return out;
+}
+
+Looks checked_looks(const Option& o, const OptionValue& v) {
+  const auto* list = std::get_if<OptionList>(&v);
+  if (!list) bad_value(o, v, "an array of looks");
+  Looks out;
+  for (const OptionValue& part : *list) {
+    LookOf l = parse_look(checked_text(o, part), o.path);
+    const std::span<const ValueRow> views = rows<View>();
+    set_look(out, views[static_cast<size_t>(parse_id(views, l.view, o.path, "view"))].id, std::move(l.look));
+  }
+  return out;
+}
+
 std::set<Mistake> checked_mistakes(const Option& o, const OptionValue& v) {
   const auto* list = std::get_if<OptionList>(&v);
   if (!list) bad_value(o, v, "an array of ids");
@@ -206,6 +224,7 @@ const Option kOptions[] = {
   {.path = "view.error.of", .group = Group::view, .label = "Error of", .help = "what the error view compares with the reference", .key = "Y", CHOICE(ErrorOf, view.error.of)},
   {.path = "view.error.scale", .group = Group::view, .label = "Error scale", .help = "how far off, or which way", CHOICE(ErrorScale, view.error.scale)},
   {.path = "view.error.range", .group = Group::view, .label = "Error range", .help = "where the error's colour bar ends, in its unit; 0 = where 99.9 % of the pixels are within it", NUMBER(view.error.range, 0, kFar)},
+  {.path = "view.looks", .group = Group::view, .label = "Looks", .help = "how views turn numbers into colours: VIEW:BLACK..WHITE or :fit, :CHANNELS, :MAP, :srgb or :linear", .kind = Kind::set, .get = GET(list_of(s.view.looks)), .set = SET(s.view.looks = checked_looks(o, v))},
 };
 // clang-format on
 #undef TEXT

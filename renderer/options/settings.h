@@ -12,6 +12,7 @@
 #include "renderer/light/light_axes.h"
 #include "renderer/light/light_methods.h"
 #include "renderer/options/axes.h"
+#include "renderer/options/view_look.h"
 #include "renderer/pitfalls/mistakes.h"
 #include "renderer/scene/camera.h"
 
@@ -114,6 +115,7 @@ struct Settings {
       double range = 0;  // where the colour bar ends, in the quantity's unit; 0: fitted
       bool operator==(const Error&) const = default;
     } error;
+    Looks looks;  // of views that are not shown as they show themselves
     bool operator==(const View&) const = default;
   } view;
 

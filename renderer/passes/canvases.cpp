@@ -76,6 +76,10 @@ Canvas& Canvases::count_sums() {
               {.size = (size_ + COUNT_BLOCK - 1) / COUNT_BLOCK, .format = Format::rgba32f, .label = "counts.sums"});
 }
 Canvas& Canvases::errors() { return made(errors_, {.size = size_, .format = Format::rgba32f, .label = "errors"}); }
+Canvas& Canvases::numbers(glm::ivec2 size) {
+  if (numbers_ && numbers_->texture.size != size) numbers_.reset();
+  return made(numbers_, {.size = size, .format = Format::rgba32f, .label = "numbers"});
+}
 Canvas& Canvases::probe() {
   return made(probe_, {.size = {kProbeFieldCount, 1}, .format = Format::rgba32f, .label = "probe"});
 }

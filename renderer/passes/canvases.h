@@ -31,11 +31,13 @@ class Canvases {
   Canvas& ids(const FrameTextures&);  // R32UI with the frame's depth: number of the object, from 1
   Canvas& count_sums();               // the reduction
   Canvas& probe();
-  Canvas& errors();  // RGBA32F: signed error, -, -, 1 where a surface is
+  Canvas& numbers(glm::ivec2 size);  // RGBA32F: a view's numbers
+  Canvas& errors();                  // RGBA32F: signed error, -, -, 1 where a surface is
   // Those that are made already:
   const Canvas& counts() const { return *counts_; }
   const Canvas& ids() const { return *ids_; }
   const Canvas& errors() const { return *errors_; }
+  const Canvas& numbers() const { return *numbers_; }
 
   // Of the frame drawn last:
   bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false;
@@ -43,7 +45,7 @@ class Canvases {
  private:
   glm::ivec2 size_{0};
   std::array<std::optional<Canvas>, kViewCount> views_;
-  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_;
+  std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_, numbers_;
   gl::Texture counts_depth_, composed_depth_;
   gl::Framebuffer counts_with_depth_;
 };

@@ -49,6 +49,7 @@ struct TruthTextures;
 
 struct ViewOptions {
   bool raw = false;                      // stored codes, undecoded
+  const ViewStats* stats = nullptr;      // of what is seen, where the view's colours follow it; null: its own range
   bool overlays = false;                 // wires of light volumes as settings.view.volumes says
   const TruthTextures* truth = nullptr;  // of the views that need it
   double error_range = 1;                // where the error's colour bar ends
@@ -66,6 +67,8 @@ class Renderer {
 
   // Of the frame just drawn into these targets with the same settings and scene:
   void draw_view(View, const Settings&, const GpuScene&, Targets&, ViewOptions = {});
+  // the view's numbers of some pixels (view_stats.h), and w = 1 where there are any, into targets.canvases.numbers()
+  void draw_numbers(View, const Settings&, const GpuScene&, Targets&, const PixelGrid&, ViewOptions = {});
   void count_pairs(const Settings&, const GpuScene&, Targets&, bool lit_too);
   void start_probe(const Settings&, const GpuScene&, Targets&, glm::ivec2 pixel);  // pixel: origin top left
 

@@ -81,6 +81,7 @@ void bind_gbuffer(const Frame& frame) {
   bind_if_stored(frame, Stores::ambient, "gbuffer_ambient");
   bind_if_stored(frame, Stores::shininess, "gbuffer_shininess");
   bind_if_stored(frame, Stores::position, "gbuffer_position");
+  bind_if_stored(frame, Stores::id, "gbuffer_id");
 }
 
 void bind_lights(const Frame& frame) { gl::bind_texture("light_data", frame.targets().uploads.light_data); }
@@ -115,7 +116,7 @@ void upload_frame_block(Frame& frame) {
   block.shading = glm::vec4(s.shading.exponent, s.shading.specular, s.ambient, s.exposure);
   block.light_scale = {frame.resolved.light_sum_scale, 1 / frame.resolved.light_sum_scale, 0, 0};
   const Bounds& bounds = frame.scene.scene().bounds;
-  block.view_range = glm::vec4(depth_view_range(s.camera, bounds), position_cycle(bounds), 0);
+  block.position_cycle = glm::vec4(position_cycle(bounds), 0, 0, 0);
   block.lights = glm::ivec4(frame.light_count(), 0, 0, 0);
   if (!frame.targets().uploads.frame_block) frame.targets().uploads.frame_block = gl::Buffer::make();
   gl::write_uniform_block(frame.targets().uploads.frame_block, 0, &block, sizeof block);

@@ -25,7 +25,7 @@ void draw_reference(const Frame& frame, const TruthTextures& truth) {
 
 void colour_errors(const Frame& frame, double range) {
   const bool with_sign = frame.view.error.scale == ErrorScale::with_sign;
-  const std::span<const glm::vec3> stops = with_sign ? red_blue() : magma();
+  const std::span<const glm::vec3> stops = stops_of(with_sign ? ColourMap::diverging : ColourMap::magma);
   const int count = static_cast<int>(stops.size());
   gl::bind_texture("errors", frame.targets().canvases.errors().texture);
   const gl::Program& program =
@@ -45,6 +45,16 @@ void draw_truth_view(const Frame& frame, View view, const ViewOptions& options, 
     draw_reference(frame, *options.truth);
   else
     colour_errors(frame, options.error_range);
+}
+
+void draw_truth_numbers(const Frame& frame, View view, const ViewOptions& options, const PixelGrid& pixels,
+                        Canvas& into) {
+  begin_drawing(into.framebuffer, pixels.count, {});
+  gl::bind_texture("numbers", view == View::reference ? options.truth->lit : frame.targets().canvases.errors().texture);
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "numbers.frag", {});
+  glUseProgram(program.id());
+  set_pixel_grid(program, frame.settings.size, pixels);
+  frame.shapes.draw_fullscreen();
 }
 
 void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {

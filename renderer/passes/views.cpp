@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "renderer/options/view_look.h"
+#include "renderer/passes/frame_block.h"
 #include "renderer/passes/volumes.h"
 
 namespace gbl {
@@ -39,32 +41,98 @@ void draw_volume_wires(const Frame& frame, Canvas& into) {
     if (any_light(frame, shape)) draw_wires(frame, shape);
 }
 
+namespace {
+
+// What the programs of a view read, beside the defines that they are compiled with.
+void bind_view(Frame& frame, View view) {
+  Canvases& canvases = frame.targets().canvases;
+  if (row(view).numbered && !frame.targets().frame.texture(Stores::id)) draw_ids(frame);
+  bind_gbuffer(frame);
+  bind_light_sums(frame);
+  gl::bind_texture("lit",
+                   row(view).with_transparent ? canvases.shown(frame.targets().frame) : frame.texture(Stores::lit));
+  if (counted(view)) gl::bind_texture("counts", canvases.counts().texture);
+  if (canvases.ids_valid) gl::bind_texture("ids", canvases.ids().texture);
+}
+
+gl::Defines view_defines(const Frame& frame, View view, int as) {
+  gl::Defines defines = frame.defines();
+  defines.push_back({"SPLIT", frame.resolved.split});
+  defines.push_back({"VIEW_FILE", shader_of(view)});
+  defines.push_back({"VIEW_AS", as});
+  defines.push_back({"BACKGROUND_TOO", row(view).values.background});
+  return defines;
+}
+
+void set_colours(const gl::Program& program, View view, const glm::dvec2& range, const ViewStats* stats) {
+  const CountSteps from = count_steps(stats);
+  glUniform3fv(program.find_uniform("empty_colour"), 1, glm::value_ptr(row(view).empty_colour));
+  glUniform2f(program.find_uniform("black_and_white"), static_cast<float>(range.x), static_cast<float>(range.y));
+  glUniform1iv(program.find_uniform("count_from"), kLightCountColours, from.data());
+  glUniform3fv(program.find_uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
+}
+
+// The program of a look; its uniforms are set.
+const gl::Program& use_look(const Frame& frame, View view, const ViewLook& look) {
+  const bool single = single_number(view, look);
+  const auto stops = stops_of(look.map == ColourMap::own ? ColourMap::grey : look.map);
+  gl::Defines defines = view_defines(frame, view, VIEW_AS_LOOK);
+  defines.push_back({"LOOK_STOPS", single ? static_cast<int>(stops.size()) : 0});
+  defines.push_back({"LOOK_CODED", look.coded.value_or(row(view).values.coded)});
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "views.frag", defines);
+  glUseProgram(program.id());
+  const auto shown = [&](char channel) { return look.channels.find(channel) == std::string::npos ? 0.0f : 1.0f; };
+  glUniform3f(program.find_uniform("look_channels"), shown('r'), shown('g'), shown('b'));
+  if (!single) return program;
+  glUniform3fv(program.uniform("look_stops"), static_cast<GLsizei>(stops.size()), glm::value_ptr(stops[0]));
+  glUniform1i(program.find_uniform("look_channel"), static_cast<GLint>(std::string_view("rgb").find(look.channels[0])));
+  return program;
+}
+
+const gl::Program& use_view(const Frame& frame, View view, int as) {
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "views.frag", view_defines(frame, view, as));
+  glUseProgram(program.id());
+  return program;
+}
+
+}  // namespace
+
+// Pictures begin at the top, texels at the bottom: the rows of the grid are turned round.
+void set_pixel_grid(const gl::Program& program, glm::ivec2 size, const PixelGrid& pixels) {
+  const int last = pixels.first.y + (pixels.count.y - 1) * pixels.step.y;
+  glUniform4i(program.uniform("pixel_grid"), pixels.first.x, size.y - 1 - last, pixels.step.x, pixels.step.y);
+}
+
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
   if (counted(view) && !targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
   Frame frame = frame_of(s, scene, targets);
   if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.canvases.view(view));
-  gl::Defines defines = frame.defines();
-  defines.push_back({"SPLIT", frame.resolved.split});
-  defines.push_back({"VIEW_FILE", shader_of(view)});
-  defines.push_back({"RAW", options.raw});
-  const gl::Program& program = programs_.get("fullscreen.vert", "views.frag", defines);
   Canvas& canvas = targets.canvases.view(view);
   const gl::PassScope scope(targets.timers, "views");
+  bind_view(frame, view);
   begin_drawing(canvas.framebuffer, s.size, {});
-  bind_gbuffer(frame);
-  bind_light_sums(frame);
-  gl::bind_texture("lit",
-                   row(view).with_transparent ? targets.canvases.shown(targets.frame) : frame.texture(Stores::lit));
-  if (counted(view)) gl::bind_texture("counts", targets.canvases.counts().texture);
-  glUseProgram(program.id());
-  glUniform3fv(program.find_uniform("empty_colour"), 1, glm::value_ptr(row(view).empty_colour));
-  glUniform1iv(program.find_uniform("wasted_from"), kLightCountColours, kWastedFrom);
-  glUniform3fv(program.find_uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
+  const ViewLook look = look_of(s.view.looks, row(view).id);
+  const gl::Program& program = options.raw    ? use_view(frame, view, VIEW_AS_STORED)
+                               : look.plain() ? use_view(frame, view, VIEW_AS_SHOWN)
+                                              : use_look(frame, view, look);
+  set_colours(program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
   shapes_.draw_fullscreen();
   if (options.overlays) {
     draw_volume_wires(frame, canvas);
     draw_outline(frame, canvas);
   }
+}
+
+void Renderer::draw_numbers(View view, const Settings& s, const GpuScene& scene, Targets& targets,
+                            const PixelGrid& pixels, ViewOptions options) {
+  if (counted(view) && !targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
+  Frame frame = frame_of(s, scene, targets);
+  Canvas& canvas = targets.canvases.numbers(pixels.count);
+  if (needs_truth(view)) return draw_truth_numbers(frame, view, options, pixels, canvas);
+  bind_view(frame, view);
+  begin_drawing(canvas.framebuffer, pixels.count, {});
+  set_pixel_grid(use_view(frame, view, VIEW_AS_NUMBERS), s.size, pixels);
+  shapes_.draw_fullscreen();
 }
 
 }  // namespace gbl

@@ -3,12 +3,17 @@
 #include <glm/glm.hpp>
 #include <span>
 
+#include "renderer/rows/value_row.h"
+
 namespace gbl {
 
-// Black over violet to light yellow, evenly growing lightness (Smith and van der Walt 2015, matplotlib).
-std::span<const glm::vec3> magma();
+// How a view turns one number into a colour. `own`: as the view does by itself.
+enum class ColourMap { own, grey, viridis, magma, turbo, diverging };
 
-// Blue below, white at 0, red above (Brewer 2002, ColorBrewer: RdBu, 11 classes, turned round).
-std::span<const glm::vec3> red_blue();
+// Of `own` there are none.
+std::span<const glm::vec3> stops_of(ColourMap);
+
+// t in 0..1 along the stops.
+glm::vec3 colour_at(std::span<const glm::vec3> stops, double t);
 
 }  // namespace gbl

@@ -64,7 +64,7 @@ ErrorStats error_stats(ErrorOf of, glm::ivec2 size, const std::vector<float>& er
 
 Legend error_legend(const ErrorStats& stats, ErrorScale scale) {
   const bool with_sign = scale == ErrorScale::with_sign;
-  const std::span<const glm::vec3> stops = with_sign ? red_blue() : magma();
+  const std::span<const glm::vec3> stops = stops_of(with_sign ? ColourMap::diverging : ColourMap::magma);
   const size_t last = stops.size() - 1;
   const size_t step = with_sign ? last / 2 : last / 4;  // labels at both ends and at round parts between
   Legend bar{true, {}, {{"no surface", kSkyColour}}};

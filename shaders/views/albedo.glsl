@@ -1,5 +1,7 @@
 // sRGB-coded, as pictures are.
-vec4 shown(ivec2 texel) { return on_surfaces(texel, coded_from_linear(read_surface(texel).albedo)); }
+vec3 value(ivec2 texel) { return read_surface(texel).albedo; }
+
+vec4 shown(ivec2 texel) { return on_surfaces(texel, coded_from_linear(value(texel))); }
 
 vec4 raw(ivec2 texel) {
 #ifdef STORED_MATERIAL

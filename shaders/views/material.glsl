@@ -1,12 +1,14 @@
 // Roughness, or the colour of the highlight where the layout stores that.
-vec4 shown(ivec2 texel) {
+vec3 value(ivec2 texel) {
   Surface s = read_surface(texel);
 #if MATERIAL_VIEW == MATERIAL_VIEW_ROUGHNESS
-  return on_surfaces(texel, vec3(s.roughness));
+  return vec3(s.roughness);
 #else
-  return on_surfaces(texel, clamp(s.f0, 0.0, 1.0));
+  return s.f0;
 #endif
 }
+
+vec4 shown(ivec2 texel) { return on_surfaces(texel, clamp(value(texel), 0.0, 1.0)); }
 
 vec4 raw(ivec2 texel) {
 #ifndef STORED_MATERIAL

@@ -1,5 +1,7 @@
 // Axes as colours: -1..1 is 0..1.
-vec4 shown(ivec2 texel) { return on_surfaces(texel, read_surface(texel).normal * 0.5 + 0.5); }
+vec3 value(ivec2 texel) { return read_surface(texel).normal; }
+
+vec4 shown(ivec2 texel) { return on_surfaces(texel, value(texel) * 0.5 + 0.5); }
 
 vec4 raw(ivec2 texel) {
 #ifdef STORED_NORMAL

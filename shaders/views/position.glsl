@@ -1,6 +1,9 @@
-// Axes as colours that repeat.
+// Axes as colours that repeat, smoothly, and with an edge nowhere: planes at 0 are common.
+vec3 value(ivec2 texel) { return read_surface(texel).position + camera_position.xyz; }
+
 vec4 shown(ivec2 texel) {
-  return on_surfaces(texel, fract((read_surface(texel).position + camera_position.xyz) / view_range.z));
+  vec3 turns = fract(value(texel) / position_cycle.x) + vec3(0.0, 1.0, 2.0) / 3.0;
+  return on_surfaces(texel, 0.5 + 0.5 * sin(6.2831853 * turns));
 }
 
 vec4 raw(ivec2 texel) {

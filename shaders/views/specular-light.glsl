@@ -1,15 +1,17 @@
 // Displayed as the final picture is.
-vec4 shown(ivec2 texel) {
+vec3 value(ivec2 texel) {
 #if SPLIT
-  return on_surfaces(texel, display(texelFetch(light_specular, texel, 0).rgb * light_scale.y, shading.w));
+  return texelFetch(light_specular, texel, 0).rgb * light_scale.y;
 #else
-  return on_surfaces(texel, vec3(0.0));
+  return vec3(0.0);
 #endif
 }
 
+vec4 shown(ivec2 texel) { return on_surfaces(texel, display(value(texel), shading.w)); }
+
 vec4 raw(ivec2 texel) {
 #if SPLIT
-  return vec4(texelFetch(light_specular, texel, 0).rgb * light_scale.y, 1.0);
+  return vec4(value(texel), 1.0);
 #else
   return raw_lit(texel);
 #endif

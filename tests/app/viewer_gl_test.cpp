@@ -141,7 +141,7 @@ TEST_F(Viewers, PixelsAreThoseOfTheHeadlessCommands) {
       if (needs_truth(v.view)) {
         EXPECT_TRUE(headless.draw_truth_view(v.view, true));
       } else {
-        headless.draw_view(v.view, {.overlays = v.view == View::final});
+        headless.draw_measured_view(v.view, {.overlays = v.view == View::final});
       }
       EXPECT_TRUE(headless.image_of(v.view) == lab_->image_of(v.view)) << id << ": " << v.id;
     }

@@ -20,9 +20,11 @@ double luminance(const glm::vec3& coded) {
 }
 
 TEST(Views, RowIsViewAndIdsAreThePromisedOnes) {
-  const char* promised[] = {"final",          "albedo",           "normal",   "depth", "material",     "diffuse-light",
-                            "specular-light", "lights-per-pixel", "position", "lit",   "wasted-pairs", "reference",
-                            "error"};
+  const char* promised[] = {"final",    "albedo",        "normal",         "depth",
+                            "material", "diffuse-light", "specular-light", "lights-per-pixel",
+                            "position", "lit",           "wasted-pairs",   "reflectance",
+                            "metal",    "emission",      "occlusion",      "ambient",
+                            "exponent", "object-id",     "reference",      "error"};
   ASSERT_EQ(views().size(), static_cast<size_t>(kViewCount));
   size_t place = 0;
   for (const char* id : promised) {
@@ -37,8 +39,10 @@ TEST(Views, RowIsViewAndIdsAreThePromisedOnes) {
     EXPECT_EQ(r.view, static_cast<View>(i));
     EXPECT_EQ(&row(r.view), &r);
     EXPECT_EQ(&view_by_id(r.id), &r);
-    EXPECT_EQ(std::string(r.key), i < 9 ? std::to_string(i + 1) : "")
-        << r.id << ": the first nine views have the keys 1 to 9, and a new one stands after them with an empty .key";
+    EXPECT_EQ(std::string(r.key), i < 9    ? std::to_string(i + 1)
+                                  : i < 18 ? "Shift " + std::to_string(i - 8)
+                                           : "")
+        << r.id << ": the first views have the keys 1 to 9, the next Shift 1 to 9, and a new one stands after them";
   }
 }
 
@@ -66,7 +70,7 @@ TEST(Views, EachHasItsFileAndEachFileItsRow) {
       continue;
     }
     files.insert(file);
-    for (const char* function : {"vec4 shown(ivec2 texel)", "vec4 raw(ivec2 texel)"})
+    for (const char* function : {"vec3 value(ivec2 texel)", "vec4 shown(ivec2 texel)", "vec4 raw(ivec2 texel)"})
       EXPECT_NE(resource(file).find(function), std::string::npos) << file << ": no " << function;
   }
   const std::vector<std::string> there = resource_names("shaders/views/");
@@ -86,7 +90,19 @@ TEST(Views, UnknownIdListsTheKnownOnes) {
 
 TEST(Views, MissingOnlyWhereNothingIsStoredAndWithAReason) {
   Settings s = preset("start").make();
-  for (const ViewRow& r : views()) EXPECT_EQ(why_missing(r.view, s), "") << r.id;
+  for (const ViewRow& r : views()) {
+    const bool of_metals =
+        r.view >= View::reflectance && r.view <= View::exponent;  // albedo-roughness keeps none of it
+    EXPECT_EQ(why_missing(r.view, s).empty(), !of_metals) << r.id;
+  }
+  s.layout = Layout::float32;
+  for (const View v : {View::reflectance, View::metal, View::emission, View::occlusion, View::object_id})
+    EXPECT_EQ(why_missing(v, s), "") << row(v).id;
+  s.layout = Layout::objectid;
+  for (const View v : {View::reflectance, View::ambient, View::exponent, View::object_id})
+    EXPECT_EQ(why_missing(v, s), "") << row(v).id;
+  EXPECT_EQ(stored_as(View::object_id, s), "gbuffer.object_id R32UI 4 B");
+  EXPECT_EQ(stored_as(View::exponent, s), "gbuffer.shininess R32F 4 B");
 
   s.accumulation.targets = AccumulationTargets::one;
   s.layout = Layout::nclgl;
@@ -170,6 +186,22 @@ TEST(Legends, RoughnessBarTellsExponentsOnlyWhereTheyComeFromIt) {
   EXPECT_TRUE(legend(View::material, s, kTerrain).entries.empty());  // a missing view has no legend
 }
 
+TEST(Views, EveryAttachmentOfEveryPresetHasAView) {
+  for (const Preset& p : presets()) {
+    const Settings s = p.make();
+    for (const Attachment& a : attachments(s)) {
+      if (a.stores == Stores::light || a.stores == Stores::light_depth)
+        continue;  // a part of `lit`; the depth once more
+      bool shown = false;
+      for (const ViewRow& r : views()) {
+        const std::optional<Attachment> of = attachment_of(r.view, s);
+        shown |= of && of->name == a.name && why_missing(r.view, s).empty();
+      }
+      EXPECT_TRUE(shown) << p.id << ": " << a.name << " has no view";
+    }
+  }
+}
+
 TEST(Legends, LightCountsAreThePaletteAndTellApartWithoutHue) {
   const Legend l = legend(View::lights_per_pixel, preset("start").make(), kTerrain);
   EXPECT_FALSE(l.bar);
@@ -184,6 +216,22 @@ TEST(Legends, LightCountsAreThePaletteAndTellApartWithoutHue) {
     }
   }
   EXPECT_LT(luminance(kLightCountPalette[0]), 0.01);
+}
+
+TEST(Legends, CountsFollowTheLargestOfThePicture) {
+  const auto labels = [](double largest) {
+    ViewStats stats;
+    stats.max = glm::dvec3(largest);
+    std::string text;
+    for (const LegendEntry& e : legend(View::wasted_pairs, preset("start").make(), kTerrain, &stats).entries)
+      text += e.label + " ";
+    return text;
+  };
+  EXPECT_EQ(labels(0), "0 1 2 3 4 5+ ");
+  EXPECT_EQ(labels(9), "0 1 2 3 4 5+ ");
+  EXPECT_EQ(labels(10), "0 1 2 3-5 6-9 10+ ");
+  EXPECT_EQ(labels(64), "0 1-2 3-6 7-18 19-49 50+ ");
+  EXPECT_EQ(labels(1024), "0 1-5 6-31 32-177 178-999 1000+ ");
 }
 
 TEST(Legends, PositionTellsItsCycleAndPicturesNeedNone) {
