@@ -153,7 +153,9 @@ Rows option_rows() {
 
 Rows key_list() {
   Rows out;
-  for (const ui::KeyRow& k : ui::key_rows()) {
+  std::vector<ui::KeyRow> rows = ui::key_rows();
+  for (ui::KeyRow& r : ui::mouse_rows()) rows.push_back(std::move(r));
+  for (const ui::KeyRow& k : rows) {
     Json j = base(k.id.c_str(), k.help.c_str());
     j["sound"] = nullptr;
     j["key"] = k.key;

@@ -43,7 +43,7 @@ const DocsPage kPages[] = {
      "Options",
      "Every setting by its path, as in `--set PATH=VALUE`. In the window, press the key.",
      {"id", "label", "key", "values", "range", "unit", "help"}},
-    {"keys", "Keys", "What each key does in the window. `F1` shows this list there.", {"key", "label"}},
+    {"keys", "Keys", "What each key and the mouse do in the window. `F1` shows this list there.", {"key", "label"}},
     {"mistakes",
      "Mistakes",
      "Errors that the sources make, as in `--set mistakes=ID`.",

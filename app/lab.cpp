@@ -1,6 +1,9 @@
 #include "app/lab.h"
 
+#include <algorithm>
+
 #include "renderer/opening/scene_look.h"
+#include "renderer/passes/float_rows.h"
 
 namespace gbl {
 
@@ -51,6 +54,17 @@ void Lab::draw_measured_view(View view, ViewOptions options) {
     meter_.take(view, true);
   }
   draw_view(view, options);
+}
+
+void Lab::ask_numbers(View v, const PixelGrid& pixels) {
+  renderer_.draw_numbers(v, drawn_, *gpu_scene_, targets_, pixels);
+  numbers_.start(targets_.canvases.numbers().texture);
+}
+
+std::optional<std::vector<glm::vec4>> Lab::take_numbers() {
+  const std::vector<float>* floats = numbers_.take(false);
+  if (!floats) return {};
+  return rows_from_top<glm::vec4>(targets_.canvases.numbers().texture.size, *floats);
 }
 
 bool Lab::draw_truth_view(View view, bool wait) {

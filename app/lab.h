@@ -45,6 +45,9 @@ class Lab {
   bool take_stats(View v) { return meter_.take(v, false); }  // true: a new answer
   bool stats_pending(View v) const { return meter_.waiting(v); }
   const ViewStats* stats_of(View v) const { return meter_.of(v); }
+  void ask_numbers(View, const PixelGrid&);
+  std::optional<std::vector<glm::vec4>> take_numbers();               // rows top to bottom, once they are there
+  void show_squares(bool on) { targets_.canvases.show_squares(on); }  // where pictures are magnified
   void count_pairs(bool lit_too) { renderer_.count_pairs(drawn_, *gpu_scene_, targets_, lit_too); }
   void start_probe(glm::ivec2 pixel) { renderer_.start_probe(drawn_, *gpu_scene_, targets_, pixel); }
   std::optional<PixelProbe> take_probe(bool wait = false) { return renderer_.take_probe(targets_, wait); }
@@ -80,6 +83,7 @@ class Lab {
   TruthKeeper truths_;
   std::optional<ErrorStats> error_stats_;
   ViewMeter meter_;
+  gl::AsyncRead numbers_;
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

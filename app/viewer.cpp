@@ -15,6 +15,12 @@ constexpr double kStillBudgetMs = 2000;  // a frame predicted longer is drawn sm
 constexpr double kMovingBudgetMs = 33;   // while something moves, a frame predicted longer is drawn at half size
 constexpr double kMaxLitTests = 2e8;     // pairs_lit is a loop over all lights: above this the window leaves it out
 
+// What decides the views: zoom and centre only decide which part of them is seen.
+Settings::View drawn_part(Settings::View v) {
+  v.zoom = 1, v.centre = {}, v.main.clear();
+  return v;
+}
+
 // What decides the picture, without what only decides which pictures are looked at.
 Settings without_view(Settings s) {
   s.view = {};
@@ -95,7 +101,7 @@ void Viewer::draw_truth(const Settings& s, const ui::Requests& requests, bool al
     if (!requests.visible[static_cast<size_t>(view)] || !why_missing(view, lab_.drawn()).empty()) continue;
     wanted = true;
     if (moving_) continue;
-    if (all || !fresh || !(s.view == view_drawn_)) {
+    if (all || !fresh || !(drawn_part(s.view) == drawn_part(view_drawn_))) {
       lab_.look_at(s.view);
       fresh = lab_.draw_truth_view(view, false);
       stats_pending_ |= fresh && view == View::error;
@@ -118,7 +124,7 @@ void Viewer::take_stats(const ui::Requests& requests) {
 }
 
 void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
-  const bool overlays_changed = !(s.view == view_drawn_);
+  const bool overlays_changed = !(drawn_part(s.view) == drawn_part(view_drawn_));
   if (all) asked_stats_.fill(false);
   take_stats(requests);
   for (int v = 0; v < kViewCount; ++v) {
@@ -137,6 +143,14 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
   }
   draw_truth(s, requests, all);
   view_drawn_ = s.view;
+}
+
+void Viewer::ask_numbers(const ui::Requests& requests, bool all) {
+  if (auto values = lab_.take_numbers()) numbers_ = {numbers_asked_->first, numbers_asked_->second, std::move(*values)};
+  if (!requests.numbers) numbers_.reset(), numbers_asked_.reset();
+  if (!requests.numbers || (!all && numbers_asked_ == requests.numbers)) return;
+  numbers_asked_ = requests.numbers;
+  lab_.ask_numbers(numbers_asked_->first, numbers_asked_->second);
 }
 
 void Viewer::reload() {
@@ -163,6 +177,8 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (!lab_.has_drawn()) return;
   try {
     draw_views(s, requests, changed && ready);
+    lab_.show_squares(requests.magnified);
+    ask_numbers(requests, changed && ready);
     if (requests.probe && requests.probe != probe_asked_) {
       lab_.start_probe(*requests.probe);
       probe_asked_ = requests.probe;
@@ -193,6 +209,7 @@ void Viewer::measure(const Settings& s, const ui::Requests& requests, bool quiet
 ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
+  in.numbers = numbers_ ? &*numbers_ : nullptr;
   for (const auto& job : jobs_) job->fill(in);
   in.truth_progress = lab_.truth_progress();
   in.message = message_;

@@ -46,6 +46,7 @@ class Viewer {
   void draw_frame(const Settings&, bool moving);
   void draw_truth(const Settings&, const ui::Requests&, bool all);
   void take_stats(const ui::Requests&);
+  void ask_numbers(const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload();
   Settings affordable(const Settings&, bool moving);
@@ -62,6 +63,8 @@ class Viewer {
   std::array<bool, kViewCount> asked_stats_{};  // of the frame drawn last
   bool stats_waiting_ = false;                  // of a visible view
   Settings::View view_drawn_;
+  std::optional<ui::PixelNumbers> numbers_;
+  std::optional<std::pair<View, PixelGrid>> numbers_asked_;
   std::optional<PixelProbe> probe_;
   std::optional<glm::ivec2> probe_asked_;
   std::string message_, banner_;

@@ -36,6 +36,40 @@ std::optional<Light> light_at(const FrameContext& f, int index) {
 
 void show_all(FrameContext& f, const KeyEvent&) { f.state.large = false; }
 
+void show_whole_picture(FrameContext& f, const KeyEvent&) { show_whole(f); }
+void show_pixels(FrameContext& f, const KeyEvent&) { show_pixel_for_pixel(f); }
+
+void step_channels(FrameContext& f, const KeyEvent&) {
+  constexpr const char* kOrder[] = {"rgb", "r", "g", "b"};
+  std::string shown;
+  change_look(f, f.layout.main, [&](ViewLook& look) {
+    const auto now = std::find(std::begin(kOrder), std::end(kOrder), look.channels);
+    const size_t next = now == std::end(kOrder) ? 0 : static_cast<size_t>(now - kOrder + 1) % std::size(kOrder);
+    shown = look.channels = kOrder[next];
+  });
+  say(f, {fmt::format("{}: channels {}.", row(f.layout.main).label, shown), ""});
+}
+
+void step_map(FrameContext& f, const KeyEvent&) {
+  const int n = static_cast<int>(rows<ColourMap>().size());
+  ColourMap map{};
+  change_look(f, f.layout.main,
+              [&](ViewLook& look) { map = look.map = static_cast<ColourMap>((static_cast<int>(look.map) + 1) % n); });
+  say(f,
+      {fmt::format("{}: colours: {}. {}.", row(f.layout.main).label, row(map).label, capitalised(row(map).help)), ""});
+}
+
+void fit_range(FrameContext& f, const KeyEvent&) {
+  bool fit = false;
+  change_look(f, f.layout.main, [&](ViewLook& look) {
+    fit = look.fit = !look.fit;
+    look.range.reset();
+  });
+  say(f, {fit ? "Black and white at the ends of what is seen." : "Black and white as the view has them.", ""});
+}
+
+void toggle_histogram(FrameContext& f, const KeyEvent&) { f.state.histogram = !f.state.histogram; }
+
 void next_preset(FrameContext& f, const KeyEvent& e) {
   const Preset* now = preset_of(f.settings);
   const int index = now ? static_cast<int>(now - presets().data()) : -1;

@@ -14,6 +14,12 @@ namespace {
 
 // Rows with a modifier come before the same key without one.
 constexpr KeyCommand kCommands[] = {
+    {"Ctrl+0", "zoom.pixels", "pixel for pixel, or where that is so already eight times as large", show_pixels},
+    {"Ctrl+F", "zoom.whole", "the whole picture in all panels", show_whole_picture},
+    {"Ctrl+L", "look.channels", "the large view: all channels, red, green, blue", step_channels},
+    {"Ctrl+M", "look.map", "the large view: the next colour map", step_map},
+    {"Ctrl+R", "look.fit", "the large view: black and white at the ends of what is seen; again: its own", fit_range},
+    {"Ctrl+H", "look.histogram", "the large view: its histogram, with handles for black and white", toggle_histogram},
     {"0", "view.all", "all views at once", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},
     {"Home", "home", "everything as it was loaded", go_home},
@@ -137,6 +143,17 @@ std::vector<KeyRow> key_rows() {
   std::stable_sort(rows.begin(), rows.end(),
                    [](const KeyRow& a, const KeyRow& b) { return function_key(a.key) < function_key(b.key); });
   return rows;
+}
+
+std::vector<KeyRow> mouse_rows() {
+  return {
+      {"move", "mouse.read", "read the pixel: the status line, and the same place in every panel"},
+      {"click", "mouse.hold", "hold the pixel and choose the view; the same pixel again, or a right click, lets go"},
+      {"double", "mouse.enlarge", "a double click: the view alone; again, or 0: all views"},
+      {"drag", "mouse.look", "look around in the large picture; where it is zoomed, move it"},
+      {"middle", "mouse.pan", "drag with the middle button: move the picture"},
+      {"wheel", "mouse.zoom", "zoom where the mouse is, in all panels; Shift: in this one alone"},
+      {"right", "mouse.solo", "on R, G or B: that channel alone; again: all"}};
 }
 
 std::vector<KeyEvent> presses_of(const KeyRow& row) {

@@ -1,4 +1,5 @@
 // The panels with the pictures: which are on screen, what the mouse does to them, and the texts over the large one.
+#include <cmath>
 #include <fmt/format.h>
 
 #include "ui/camera_motion.h"
@@ -8,42 +9,75 @@
 namespace gbl::ui {
 namespace {
 
-void hover(FrameContext& f, View v, const Box& picture) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;  // a whole screen pixel: its centre is meant
-  const glm::dvec2 inside((mouse.x + 0.5 - picture.min.x) / picture.width(),
-                          (mouse.y + 0.5 - picture.min.y) / picture.height());
-  if (inside.x < 0 || inside.y < 0 || inside.x >= 1 || inside.y >= 1) return;
-  f.state.hovered = v;
-  f.state.hovered_pixel = glm::ivec2(inside * glm::dvec2(f.frame_size()));
+constexpr double kWheelFactor = 1.25;  // of the zoom, a notch
+
+// Where the mouse is, across the panel's picture; a whole screen pixel: its centre is meant.
+glm::dvec2 mouse_in(const Box& picture) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {(mouse.x + 0.5 - picture.min.x) / picture.width(), (mouse.y + 0.5 - picture.min.y) / picture.height()};
 }
 
-// Click: the chosen view. Double click: alone, or all again. Right click: hold the pixel, or let it go.
-// Drag on the large picture: look around.
+void hover(FrameContext& f, View v, const Box& picture) {
+  const glm::dvec2 inside = mouse_in(picture);
+  if (inside.x < 0 || inside.y < 0 || inside.x >= 1 || inside.y >= 1) return;
+  f.state.hovered = v;
+  f.state.hovered_pixel = glm::ivec2(on_picture(zoom_of(f, v), inside) * glm::dvec2(f.frame_size()));
+}
+
+void let_go_or_hold(FrameContext& f) {
+  if (!f.state.hovered_pixel) return;
+  if (f.held_pixel() == f.state.hovered_pixel)
+    f.state.held_at.reset();
+  else
+    f.hold(*f.state.hovered_pixel);
+}
+
+void drag(FrameContext& f, View v, const Box& picture, bool look_around) {
+  const ImVec2 by = ImGui::GetIO().MouseDelta;
+  if (by.x == 0 && by.y == 0) return;
+  if (!look_around) {
+    const Zoom moved = panned(zoom_of(f, v), {by.x / picture.width(), by.y / picture.height()});
+    set_zoom(f, v, moved, ImGui::GetIO().KeyShift);
+  } else if (v == f.layout.main) {
+    f.state.glide.reset();
+    f.settings.camera = turned(f.settings.camera, {by.x, by.y}, picture.height());
+  }
+}
+
+// The table of the mouse (keys.cpp) in the order of its rows.
 void use_mouse(FrameContext& f, View v, const Box& panel, const Box& picture) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool clicked = hit_area(row(v).id, panel);
   const bool dragged = io.MouseDragMaxDistanceSqr[0] > 9;
-  if (clicked && !dragged) f.settings.view.main = row(v).id;
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   if (ImGui::IsItemFocused() && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) f.state.focused = v;
-  if (ImGui::IsItemHovered()) {
-    hover(f, v, picture);
-    if (ImGui::IsMouseDoubleClicked(0)) f.state.large = !f.state.large;
-    if (ImGui::IsMouseClicked(1) && f.state.hovered_pixel) {
-      if (f.held_pixel() == f.state.hovered_pixel)
-        f.state.held_at.reset();
-      else
-        f.hold(*f.state.hovered_pixel);
-    }
+  if (hovered) hover(f, v, picture);
+  const bool second = io.MouseClickedLastCount[0] > 1;  // of a double click, which holds nothing
+  if (clicked && !dragged && !second) {
+    f.settings.view.main = row(v).id;
+    f.state.held_before = f.state.held_at;
+    let_go_or_hold(f);
   }
-  if (v == f.layout.main && ImGui::IsItemActive() && dragged && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0)) {
-    f.state.glide.reset();
-    f.settings.camera = turned(f.settings.camera, {io.MouseDelta.x, io.MouseDelta.y}, picture.height());
+  if (hovered && ImGui::IsMouseClicked(1)) f.state.held_at.reset();
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+    f.state.large = !f.state.large;
+    f.state.held_at = f.state.held_before;
   }
+  if (held && dragged) drag(f, v, picture, zoom_of(f, v).whole());
+  if (hovered && ImGui::IsMouseClicked(2)) f.state.panning = v;
+  if (!io.MouseDown[2]) f.state.panning.reset();
+  if (f.state.panning == v) drag(f, v, picture, false);
+  if (hovered && io.MouseWheel != 0)
+    set_zoom(
+        f, v,
+        zoomed_at(zoom_of(f, v), std::pow(kWheelFactor, double(io.MouseWheel)), mouse_in(picture), most_zoom(f, panel)),
+        io.KeyShift);
 }
 
 // The same pixel in every picture: small, dark and light, so that it shows on both.
-void mark_pixel(FrameContext& f, const Box& picture, glm::ivec2 pixel) {
-  const glm::vec2 at = (glm::vec2(pixel) + 0.5f) / glm::vec2(f.frame_size());
+void mark_pixel(FrameContext& f, View v, const Box& picture, glm::ivec2 pixel) {
+  const glm::vec2 at(in_panel(zoom_of(f, v), (glm::dvec2(pixel) + 0.5) / glm::dvec2(f.frame_size())));
+  if (at.x < 0 || at.y < 0 || at.x > 1 || at.y > 1) return;
   const ImVec2 c{picture.min.x + at.x * picture.width(), picture.min.y + at.y * picture.height()};
   const float far = 8 * f.layout.unit, near = 3 * f.layout.unit;
   for (const auto& [colour, width] : {std::pair(IM_COL32(0, 0, 0, 255), 3.0f), std::pair(kText, 1.0f)})
@@ -90,12 +124,14 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   PanelLook look;
   look.px = v == f.layout.main ? f.type.body : f.type.small;
   look.words = !f.state.hidden;
+  look.zoom = zoom_of(f, v);
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
   draw_view_panel(f.painter, panel, v, image, f.stored, legend_now(v, f.stored, f.input), look);
+  if (f.requests.visible[static_cast<size_t>(v)]) draw_pixel_grid(f, v, picture_box(panel, image.size));
   if (f.state.focused == v) f.painter.outline(panel, kText, std::round(4 * f.layout.unit));
   if (f.state.hidden || (f.state.hovered == v && !f.state.held_at)) return;
   const std::optional<glm::ivec2> pixel = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
-  if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, picture_box(panel, image.size), *pixel);
+  if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, v, picture_box(panel, image.size), *pixel);
 }
 
 // A panel above is opaque: what is wholly below one need not be drawn at all.
@@ -113,6 +149,7 @@ void draw_pictures(FrameContext& f) {
   f.state.hovered.reset();
   f.state.hovered_pixel.reset();
   f.state.focused.reset();
+  use_view_tools(f);
   for_each_panel(f, [&](View v, const Box& panel) {
     use_mouse(f, v, panel, picture_box(panel, f.input.images[static_cast<size_t>(v)].size));
   });
@@ -122,6 +159,7 @@ void draw_pictures(FrameContext& f) {
   if (!covered(f, main) && !f.state.hidden) {
     draw_texts_on_main(f, main);
     draw_error_numbers(f, main);
+    draw_view_tools(f);
   }
   f.requests.probe = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
 }

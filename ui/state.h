@@ -1,5 +1,6 @@
 #pragma once
 // What the window remembers between frames and no picture depends on, and what every panel is handed in a frame.
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "ui/panel.h"
 #include "ui/style.h"
 #include "ui/ui.h"
+#include "ui/zoom.h"
 
 namespace gbl::ui {
 
@@ -73,7 +75,11 @@ struct State {
   std::optional<View> hovered;              // of the frame before
   std::optional<glm::ivec2> hovered_pixel;  // of the frame before
   std::optional<glm::dvec2> held_at;        // 0..1 across the frame: a pixel held stays when the frame's size changes
-  std::optional<View> focused;              // has the panel keys
+  std::array<std::optional<Zoom>, kViewCount> own_zoom;  // of panels that are not linked to the others
+  std::optional<View> panning;                           // by the middle button
+  bool histogram = false;                                // of the large view
+  std::optional<glm::dvec2> held_before;                 // the last click
+  std::optional<View> focused;                           // has the panel keys
   std::vector<std::string> cut_texts;
 };
 
@@ -111,6 +117,17 @@ void show_view(FrameContext&, View);  // alone; again: all views
 void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
 void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
+
+// ---- looking closely (view_tools.cpp) --------------------------------------------------------------
+Zoom zoom_of(const FrameContext&, View);
+void set_zoom(FrameContext&, View, const Zoom&, bool this_panel_only);
+void show_whole(FrameContext&);  // all panels
+void show_pixel_for_pixel(FrameContext&);
+double most_zoom(const FrameContext&, const Box& panel);  // a pixel is as large as its numbers need, and no larger
+void change_look(FrameContext&, View, const std::function<void(ViewLook&)>&);
+void use_view_tools(FrameContext&);  // the buttons on the large picture: before what lies below them
+void draw_view_tools(FrameContext&);
+void draw_pixel_grid(FrameContext&, View, const Box& picture);  // and the numbers on the pixels
 
 // ---- what is always there, one function each; the others are rows of ui/panel.h --------------------
 void draw_pictures(FrameContext&);

@@ -69,7 +69,7 @@ void draw_status_bar(FrameContext& f) {
   const float right_x = bar.max.x - pad - text_size(right, px).x;
   f.painter.text({right_x, y}, px, kDim, right);
 
-  std::string left = "Point at a picture to read its pixel here; a right click holds it. F1 shows the keys.";
+  std::string left = "Point at a picture to read its pixel here; a click holds it. F1 shows the keys.";
   if (f.input.probe && (f.state.held_at || f.state.hovered_pixel)) left = pixel_in_words(f, *f.input.probe);
   f.painter.text_in({{bar.min.x + pad, y}, {right_x - 2 * pad, bar.max.y}}, px, kText, left);
 }

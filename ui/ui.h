@@ -22,6 +22,8 @@
 
 namespace gbl::ui {
 
+struct PixelNumbers;
+
 struct ViewImage {
   uint64_t texture = 0;  // ImTextureID; 0 = not drawn this frame
   glm::ivec2 size{0};    // row 0 of the texture is the picture's bottom row (GL): draw with v flipped
@@ -36,6 +38,7 @@ struct Input {
   std::array<ViewImage, kViewCount> images;          // by View
   std::array<const ViewStats*, kViewCount> stats{};  // of what is seen, by View; null: not known
   std::optional<PixelProbe> probe;                   // of the pixel asked for
+  const PixelNumbers* numbers = nullptr;             // those asked for, once they are there
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
   double truth_progress = 1;                         // of the reference that is being made; 1: none is
   const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
@@ -54,15 +57,24 @@ struct KeyEvent {
   bool shift = false, ctrl = false, repeat = false;
 };
 
+// The numbers of some pixels of a view; w > 0.5 where there are any.
+struct PixelNumbers {
+  View view;
+  PixelGrid pixels;
+  std::vector<glm::vec4> values;  // rows top to bottom
+};
+
 // Carried out by the app after the frame.
 struct Requests {
   bool reload_shaders = false;
   bool save_figure = false;  // the window's picture, as seen
   bool quit = false;
-  std::optional<glm::ivec2> probe;         // pixel under the cursor
-  std::array<bool, kViewCount> visible{};  // views that the next frame must draw
-  glm::ivec2 picture_size{0};              // of the largest picture on screen, in screen pixels
-  std::optional<double> wake_in;           // seconds until the window changes by itself (a caption ends)
+  std::optional<glm::ivec2> probe;                    // pixel under the cursor
+  std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
+  bool magnified = false;                             // pixels are shown as squares
+  std::array<bool, kViewCount> visible{};             // views that the next frame must draw
+  glm::ivec2 picture_size{0};                         // of the largest picture on screen, in screen pixels
+  std::optional<double> wake_in;                      // seconds until the window changes by itself (a caption ends)
   ChartRequest chart;
   StabilityRequest stability;
   AdvisorRequest advisor;
@@ -125,5 +137,7 @@ struct KeyRow {
 };
 // For F1 and `list keys`: the options' keys, the views', the commands' and the panels', F1 … F12 at the end.
 std::vector<KeyRow> key_rows();
+// The same for the mouse, with what it does in the place of the key.
+std::vector<KeyRow> mouse_rows();
 
 }  // namespace gbl::ui

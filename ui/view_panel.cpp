@@ -70,8 +70,10 @@ void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& imag
   } else {
     p.fill(panel, IM_COL32(0, 0, 0, 255));
     const Box picture = picture_box(panel, image.size);
-    if (image.texture)  // GL's rows go up
-      p.list().AddImage(reinterpret_cast<ImTextureID>(image.texture), picture.min, picture.max, {0, 1}, {1, 0});
+    const glm::vec2 first(look.zoom.first()), last = first + 1 / static_cast<float>(look.zoom.scale);
+    const ImVec2 top_left{first.x, 1 - first.y}, bottom_right{last.x, 1 - last.y};  // GL's rows go up
+    if (image.texture)
+      p.list().AddImage(reinterpret_cast<ImTextureID>(image.texture), picture.min, picture.max, top_left, bottom_right);
   }
   const float thickness = std::max(2.0f, std::round(panel.width() / 300));
   p.outline(panel, pass_colour(view.written_by), thickness);

@@ -6,6 +6,7 @@
 #include "renderer/inspect/views.h"
 #include "ui/text.h"
 #include "ui/ui.h"
+#include "ui/zoom.h"
 
 namespace gbl::ui {
 
@@ -14,6 +15,7 @@ struct PanelLook {
   std::string_view name;  // replaces the view's label if not empty
   bool words = true;      // badge and legend; without: the picture and its frame
   bool chosen = false;
+  Zoom zoom;
 };
 
 // The legend of a view as it is drawn now: the error's bar depends on what was found.

@@ -81,6 +81,12 @@ Texture make_texture(const TextureDesc& d) {
   return t;
 }
 
+void magnify_squares(const Texture& t, bool squares) {
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, t.id());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, squares ? GL_NEAREST : GL_LINEAR);
+}
+
 Texture make_image(const ImageDesc& d) {
   Texture t{Object<Kind::texture>::make(), d.size, Format::rgba8, std::string(d.label)};
   glActiveTexture(GL_TEXTURE0);

@@ -24,6 +24,9 @@ struct TextureDesc {
   bool linear_filter = false;  // else nearest: attachments are read by texel
   std::string_view label;
 };
+// Its texels as squares where it is shown larger than it is, or blended; of a texture with a linear filter.
+void magnify_squares(const Texture&, bool);
+
 Texture make_texture(const TextureDesc&);  // contents undefined; Error if the driver has no room for it
 
 enum class Address { repeat, clamp, mirror };

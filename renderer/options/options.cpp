@@ -74,6 +74,11 @@ glm::dvec3 checked_vec3(const Option& o, const OptionValue& v) {
   return {checked_number(o, list[0]), checked_number(o, list[1]), checked_number(o, list[2])};
 }
 
+glm::dvec2 checked_pair(const Option& o, const OptionValue& v) {
+  const OptionList& list = checked_list(o, v, 2);
+  return {checked_number(o, list[0]), checked_number(o, list[1])};
+}
+
 glm::ivec2 checked_size(const Option& o, const OptionValue& v) {
   const OptionList& list = checked_list(o, v, 2);
   return {checked_integer(o, list[0]), checked_integer(o, list[1])};
@@ -224,6 +229,8 @@ const Option kOptions[] = {
   {.path = "view.error.of", .group = Group::view, .label = "Error of", .help = "what the error view compares with the reference", .key = "Y", CHOICE(ErrorOf, view.error.of)},
   {.path = "view.error.scale", .group = Group::view, .label = "Error scale", .help = "how far off, or which way", CHOICE(ErrorScale, view.error.scale)},
   {.path = "view.error.range", .group = Group::view, .label = "Error range", .help = "where the error's colour bar ends, in its unit; 0 = where 99.9 % of the pixels are within it", NUMBER(view.error.range, 0, kFar)},
+  {.path = "view.zoom", .group = Group::view, .label = "Zoom", .help = "of every panel; 1 = the whole picture", NUMBER(view.zoom, 1, 16384)},
+  {.path = "view.centre", .group = Group::view, .label = "Centre", .help = "of what a panel shows, 0..1 across the picture from its top left", .kind = Kind::vector, .min = 0, .max = 1, .get = GET(OptionList({s.view.centre.x, s.view.centre.y})), .set = SET(s.view.centre = checked_pair(o, v))},
   {.path = "view.looks", .group = Group::view, .label = "Looks", .help = "how views turn numbers into colours: VIEW:BLACK..WHITE or :fit, :CHANNELS, :MAP, :srgb or :linear", .kind = Kind::set, .get = GET(list_of(s.view.looks)), .set = SET(s.view.looks = checked_looks(o, v))},
 };
 // clang-format on

@@ -115,7 +115,9 @@ struct Settings {
       double range = 0;  // where the colour bar ends, in the quantity's unit; 0: fitted
       bool operator==(const Error&) const = default;
     } error;
-    Looks looks;  // of views that are not shown as they show themselves
+    double zoom = 1;              // of every panel; 1: the whole picture
+    glm::dvec2 centre{0.5, 0.5};  // of what a panel shows, 0..1 across the picture, origin top left
+    Looks looks;                  // of views that are not shown as they show themselves
     bool operator==(const View&) const = default;
   } view;
 

@@ -30,8 +30,18 @@ void Canvases::forget(glm::ivec2 new_size) {
 }
 
 Canvas& Canvases::view(View v) {
-  return made(views_[static_cast<int>(v)],
-              {.size = size_, .format = Format::rgba8, .linear_filter = true, .label = row(v).id});
+  std::optional<Canvas>& canvas = views_[static_cast<int>(v)];
+  const bool is_new = !canvas;
+  made(canvas, {.size = size_, .format = Format::rgba8, .linear_filter = true, .label = row(v).id});
+  if (is_new) gl::magnify_squares(canvas->texture, squares_);
+  return *canvas;
+}
+
+void Canvases::show_squares(bool on) {
+  if (on == squares_) return;
+  squares_ = on;
+  for (const auto& canvas : views_)
+    if (canvas) gl::magnify_squares(canvas->texture, on);
 }
 
 const Canvas* Canvases::drawn_view(View v) const {

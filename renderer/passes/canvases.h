@@ -17,6 +17,7 @@ class Canvases {
   void next_frame() { composed_valid = counts_valid = counts_lit_valid = ids_valid = false; }
 
   Canvas& view(View);                    // RGBA8
+  void show_squares(bool);               // their pixels, where they are magnified; else smooth
   const Canvas* drawn_view(View) const;  // null if never drawn at this size
   // RGBA32F with a copy of the scene's depth: lit + what is drawn forward after it
   Canvas& composed(const FrameTextures&);
@@ -46,6 +47,7 @@ class Canvases {
   glm::ivec2 size_{0};
   std::array<std::optional<Canvas>, kViewCount> views_;
   std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_, numbers_;
+  bool squares_ = false;
   gl::Texture counts_depth_, composed_depth_;
   gl::Framebuffer counts_with_depth_;
 };

@@ -1,23 +1,10 @@
 #include "renderer/passes/judging.h"
 
 #include "renderer/gl/device.h"
+#include "renderer/passes/float_rows.h"
 
 namespace gbl {
 namespace {
-
-// GL's rows run bottom to top, pictures' top to bottom.
-template <class Texel>
-std::vector<Texel> rows_from_top(glm::ivec2 size, const std::vector<float>& rgba) {
-  std::vector<Texel> out(rgba.size() / 4);
-  const auto width = static_cast<size_t>(size.x), height = static_cast<size_t>(size.y);
-  for (size_t y = 0; y < height; ++y)
-    for (size_t x = 0; x < width; ++x) {
-      const float* from = &rgba[4 * ((height - 1 - y) * width + x)];
-      Texel& to = out[y * width + x];
-      for (int k = 0; k < to.length(); ++k) to[k] = from[k];
-    }
-  return out;
-}
 
 // A picture of doubles as a texture: colour(i) and alpha(i) of pixel i, rows top to bottom.
 template <class Colour, class Alpha>

@@ -390,7 +390,7 @@ TEST(Chart, TheWheelZoomsAboutTheMouse) {
 struct Model {
   explicit Model(const ChartInput& rows)
       : state({}, false),
-        input{scene, lights, {}, report, {}, {}, {}, {}, 1, &rows},
+        input{.scene = scene, .lights = lights, .features = {}, .report = report, .chart = &rows},
         frame{state, settings, input, requests, {}, {}, Painter(*ImGui::GetBackgroundDrawList(), state.cut_texts)} {}
   ChartView view() { return chart_view(frame); }
   Scene scene;

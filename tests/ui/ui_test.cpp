@@ -208,10 +208,9 @@ TEST(Mouse, HoverReadsThePixelWithItsOriginTopLeft) {
   EXPECT_FALSE(desk.requests.probe);
 }
 
-TEST(Mouse, ARightClickHoldsThePixelAndALeftOneChoosesTheView) {
+TEST(Mouse, AClickHoldsThePixelAndChoosesTheView) {
   Desk desk;
-  desk.point({100, 100});
-  desk.point({100, 100}, false, true);
+  desk.click({100, 100});
   desk.point({1300, 800});
   EXPECT_EQ(desk.requests.probe, glm::ivec2(160, 160));
   desk.report.size = {640, 360};  // drawn at half the size: the same place
@@ -221,6 +220,110 @@ TEST(Mouse, ARightClickHoldsThePixelAndALeftOneChoosesTheView) {
   desk.click({1300, 100});
   EXPECT_EQ(desk.settings.view.main, "normal");
   EXPECT_EQ(desk.visible(), 8);
+  EXPECT_EQ(desk.requests.probe, glm::ivec2(321, 321));
+  for (int k = 0; k < 60; ++k) desk.frame();  // longer than a double click takes
+  desk.click({1300, 100});
+  desk.point({1300, 800});
+  EXPECT_FALSE(desk.requests.probe) << "the same pixel again lets go";
+  desk.click({100, 100});
+  EXPECT_TRUE(desk.requests.probe);
+  desk.point({100, 100}, false, true);
+  desk.point({1300, 800});
+  EXPECT_FALSE(desk.requests.probe) << "so does a right click";
+}
+
+TEST(Mouse, ADoubleClickEnlargesAndHoldsNothing) {
+  Desk desk;
+  desk.click({1300, 100});
+  desk.click({1300, 100});
+  EXPECT_EQ(desk.settings.view.main, "normal");
+  EXPECT_EQ(desk.visible(), 1);
+  desk.point({1300, 800});
+  EXPECT_FALSE(desk.requests.probe);
+}
+
+TEST(Mouse, TheWheelZoomsWhereTheMouseIsInAllPanels) {
+  Desk desk;
+  const auto wheel = [&](ImVec2 at, float notches, bool shift = false) {
+    desk.point(at);
+    ImGui::GetIO().KeyShift = shift;
+    ImGui::GetIO().MouseWheel = notches;
+    desk.frame();
+    ImGui::GetIO().MouseWheel = 0, ImGui::GetIO().KeyShift = false;
+    desk.frame();
+  };
+  const ImVec2 at{300, 200};
+  desk.point(at);
+  const glm::ivec2 pixel = desk.requests.probe.value();
+  wheel(at, 5);
+  EXPECT_NEAR(desk.settings.view.zoom, std::pow(1.25, 5), 1e-9);
+  EXPECT_EQ(desk.requests.probe, pixel) << "what is below the mouse stays there";
+  EXPECT_TRUE(desk.requests.magnified);
+  desk.point({800 + 150, 100});  // albedo, at half the size: the same place of the picture
+  EXPECT_LE(glm::length(glm::vec2(desk.requests.probe.value() - pixel)), 2);
+  const double linked = desk.settings.view.zoom;
+  wheel({1300, 100}, 3, true);
+  EXPECT_EQ(desk.settings.view.zoom, linked) << "with Shift this panel alone";
+  wheel(at, 100);
+  EXPECT_LE(desk.settings.view.zoom, 1280 * 128 / 800.0) << "a pixel is no larger than its numbers need";
+  ASSERT_TRUE(desk.requests.numbers);
+  EXPECT_EQ(desk.requests.numbers->first, View::final);
+  const PixelGrid& grid = desk.requests.numbers->second;
+  EXPECT_LE(grid.pixels(), 60u) << "only those that are seen";
+  EXPECT_TRUE(glm::all(glm::lessThanEqual(grid.first, pixel)) &&
+              glm::all(glm::lessThan(pixel, grid.first + grid.count)));
+  wheel(at, -100);
+  EXPECT_EQ(desk.settings.view.zoom, 1);
+  EXPECT_FALSE(desk.requests.numbers);
+  desk.press("f", false, true);
+  EXPECT_FALSE(desk.requests.magnified) << "Ctrl+F: the whole picture in all panels";
+}
+
+TEST(Mouse, ADragMovesAZoomedPictureAndLeavesTheCamera) {
+  Desk desk;
+  desk.settings.view.zoom = 4;
+  const Camera before = desk.settings.camera;
+  desk.point({400, 200});
+  desk.point({400, 200}, true);
+  desk.point({320, 200}, true);
+  desk.point({320, 200});
+  EXPECT_EQ(desk.settings.camera, before);
+  EXPECT_NEAR(desk.settings.view.centre.x, 0.5 + 80.0 / 800 / 4, 1e-6);
+  EXPECT_EQ(desk.settings.view.centre.y, 0.5);
+}
+
+TEST(Looks, KeysChangeTheLargeView) {
+  Desk desk;
+  desk.press("3");
+  const auto look = [&] { return look_of(desk.settings.view.looks, "normal"); };
+  desk.press("l", false, true);
+  EXPECT_EQ(look().channels, "r");
+  desk.press("m", false, true);
+  EXPECT_EQ(look().map, ColourMap::grey);
+  desk.press("r", false, true);
+  EXPECT_TRUE(look().fit);
+  EXPECT_EQ(desk.settings.view.looks.size(), 1u);
+  desk.press("Home");
+  EXPECT_TRUE(desk.settings.view.looks.empty());
+}
+
+// The buttons at the right end of the picture's upper edge, from the right: fit, 1:1, histogram, range, map, B, G, R.
+TEST(Looks, ButtonsStandAboveThePictureAndDoNotHoldPixels) {
+  Desk desk;
+  desk.press("2");
+  int changes = 0;
+  bool looked = false;
+  Settings before = desk.settings;
+  for (float x = 1190; x > 900; x -= 6) {
+    desk.click({x, 12});
+    desk.point({1300, 800});
+    if (!(desk.settings == before)) ++changes;
+    before = desk.settings;
+    looked |= !before.view.looks.empty();
+    if (desk.requests.probe) break;  // left of the last button
+  }
+  EXPECT_GE(changes, 6);
+  EXPECT_TRUE(looked);
 }
 
 TEST(Mouse, ADragOnTheLargePictureLooksAroundAndChoosesNothing) {

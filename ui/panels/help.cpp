@@ -1,4 +1,4 @@
-// F1: every key, from the rows that the dispatch reads.
+// F1: every key, from the rows that the dispatch reads, and what the mouse does.
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -50,8 +50,9 @@ void draw_help(FrameContext& f, Painter& p, const Box& box) {
   const Box room = box.inset(std::round(24 * f.layout.unit));
   const float head = line_height(f.type.large) * 1.4f;
   p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent,
-            "Keys   (F1 or Esc closes; Shift with a letter goes backwards)");
-  const std::vector<KeyRow> rows = key_rows();
+            "Keys and mouse   (F1 or Esc closes; Shift with a letter goes backwards)");
+  std::vector<KeyRow> rows = key_rows();
+  for (KeyRow& r : mouse_rows()) rows.push_back(std::move(r));
   const float height = room.height() - head;
   Columns c = columns_at(std::round(f.type.body * 1.4f), rows, room.width());
   while (split(rows, c, height).empty() && c.px > kSmallestPx) c = columns_at(c.px - 1, rows, room.width());
