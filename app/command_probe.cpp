@@ -1,4 +1,5 @@
 // `probe X Y`: one pixel of a frame, stored and decoded.
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "app/commands.h"
@@ -21,7 +22,37 @@ void each_field(const PixelProbe& p, const Settings& drawn, Use use) {
   }
 }
 
-void print_json(const PixelProbe& p, const Lab& lab) {
+Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json json_of(const std::vector<AccountLine>& lines) {
+  Json out = Json::array();
+  for (const AccountLine& l : lines)
+    out.push_back({{"what", l.what},
+                   {"unit", l.unit},
+                   {"drawn", l.drawn.empty() ? Json() : Json(l.drawn)},
+                   {"truth", l.truth},
+                   {"error", l.drawn.empty() ? Json() : Json(l.error)},
+                   {"off", l.off}});
+  return out;
+}
+
+Json json_of(const std::vector<LightShare>& lights) {
+  Json out = Json::array();
+  for (const LightShare& l : lights)
+    out.push_back({{"light", l.index},
+                   {"distance", l.distance < kEndless ? Json(l.distance) : Json()},
+                   {"range", l.range < kEndless ? Json(l.range) : Json()},
+                   {"arriving", l.arriving},
+                   {"n_dot_l", l.n_dot_l},
+                   {"diffuse", json_of(l.diffuse)},
+                   {"specular", json_of(l.specular)},
+                   {"share", l.share},
+                   {"times_shaded", l.shaded ? Json(*l.shaded) : Json()},
+                   {"verdict", verdict_of(l)}});
+  return out;
+}
+
+void print_json(const PixelProbe& p, const PixelAccount& account, const Lab& lab) {
   Json json = {{"x", p.pixel.x}, {"y", p.pixel.y}, {"surface", p.surface()}};
   json["object_name"] = object_name(p, lab.scene());
   json["stored"] = Json::array();
@@ -40,7 +71,52 @@ void print_json(const PixelProbe& p, const Lab& lab) {
     const Json value = field.components == 1 ? Json(values[0]) : Json(values);
     json["decoded"].push_back({{"path", field.path}, {"value", value}, {"unit", field.unit}});
   });
+  json["truth"] = {
+      {"surface", account.surface}, {"object", account.object}, {"triangle", account.triangle}, {"tie", account.tie}};
+  json["against_truth"] = json_of(account.stored);
+  json["lights"] = json_of(account.lights);
+  json["sum"] = json_of(account.terms);
+  json["first_off"] = account.first_off < 0 ? Json() : Json(account.terms[static_cast<size_t>(account.first_off)].what);
   fmt::print("{}\n", json.dump(2));
+}
+
+std::string numbers(const std::vector<double>& values) {
+  std::string text;
+  for (const double v : values) text += fmt::format("{:>13.7g}", v);
+  return text;
+}
+
+void print_lines(const std::vector<AccountLine>& lines, int first_off) {
+  fmt::print("  {:<24}{:<41}{:<41}{:<11}\n", "", "drawn", "truth", "error");
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const AccountLine& l = lines[i];
+    fmt::print("  {:<24}{:<41}{:<41}{:<11}{}{}\n", l.what, l.drawn.empty() ? "  not stored" : numbers(l.drawn),
+               numbers(l.truth), l.drawn.empty() ? "" : fmt::format("{:.3g}", l.error), l.unit,
+               static_cast<int>(i) == first_off ? "   <- the first that goes wrong" : "");
+  }
+}
+
+void print_account(const PixelAccount& a) {
+  if (a.tie) fmt::print("\nan edge: frame and reference see different objects here; what follows is the reference's\n");
+  if (!a.stored.empty()) fmt::print("\nagainst the reference in double precision\n");
+  if (!a.stored.empty()) print_lines(a.stored, -1);
+  if (a.surface)
+    fmt::print("\n{} light{} it{}\n", a.lights.size(), a.lights.size() == 1 ? " reaches" : "s reach",
+               a.lights.empty() ? "" : ", the strongest first");
+  if (!a.lights.empty())
+    fmt::print("  {:>6}{:>12}{:>8}{:>12}{:>8}  {:<36}{:<36}{:>8}  {}\n", "light", "distance", "d/r", "arriving", "N.L",
+               "diffuse", "specular", "share", "shaded");
+  for (const LightShare& l : a.lights) {
+    const bool endless = l.range >= kEndless;
+    const auto three = [](const glm::dvec3& v) { return fmt::format("{:>11.4g} {:>11.4g} {:>11.4g}", v.x, v.y, v.z); };
+    fmt::print("  {:>6}{:>12}{:>8}{:>12.4g}{:>8.3f} {} {}{:>7.2f}%  {}{}\n", l.index,
+               l.distance < kEndless ? fmt::format("{:.5g}", l.distance) : "-",
+               endless ? "-" : fmt::format("{:.3f}", l.distance / l.range), l.arriving, l.n_dot_l, three(l.diffuse),
+               three(l.specular), 100 * l.share, l.shaded ? fmt::format("{}", *l.shaded) : "-",
+               verdict_of(l).empty() ? "" : " " + verdict_of(l));
+  }
+  fmt::print("\nthe sum\n");
+  print_lines(a.terms, a.first_off);
 }
 
 void print_text(const PixelProbe& p, const Lab& lab) {
@@ -76,10 +152,14 @@ ExitCode run_probe(const Arguments& a) {
   lab.draw(s);
   lab.start_probe(pixel);
   const PixelProbe probe = lab.take_probe(true).value();
-  if (a.json)
-    print_json(probe, lab);
-  else
+  PixelAccount account = lab.account(probe, true).value();
+  count_lights(lab, account, 64);  // the strongest: each takes a pass of its own
+  if (a.json) {
+    print_json(probe, account, lab);
+  } else {
     print_text(probe, lab);
+    print_account(account);
+  }
   return ExitCode::done;
 }
 

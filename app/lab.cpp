@@ -67,6 +67,18 @@ std::optional<std::vector<glm::vec4>> Lab::take_numbers() {
   return rows_from_top<glm::vec4>(targets_.canvases.numbers().texture.size, *floats);
 }
 
+std::optional<PixelAccount> Lab::account(const PixelProbe& probe, bool wait) {
+  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, *gpu_scene_, drawn_, wait);
+  if (!truth) return {};
+  const size_t i =
+      static_cast<size_t>(probe.pixel.y) * static_cast<size_t>(drawn_.size.x) + static_cast<size_t>(probe.pixel.x);
+  return account_of(targets_.drawn->settings, scene(), truth->texels[i], probe);
+}
+
+std::vector<int> Lab::times_shaded(glm::ivec2 pixel, const std::vector<int>& lights) {
+  return renderer_.times_shaded(lights, pixel, drawn_, *gpu_scene_, targets_);
+}
+
 bool Lab::draw_truth_view(View view, bool wait) {
   const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, *gpu_scene_, drawn_, wait);
   if (!truth) return false;
@@ -117,6 +129,13 @@ Canvas Lab::copy_of(View view) const {
   glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return to;
+}
+
+void count_lights(Lab& lab, PixelAccount& account, size_t most) {
+  std::vector<int> lights;
+  for (size_t i = 0; i < std::min(account.lights.size(), most); ++i) lights.push_back(account.lights[i].index);
+  const std::vector<int> times = lab.times_shaded(account.pixel, lights);
+  for (size_t i = 0; i < times.size(); ++i) account.lights[i].shaded = times[i];
 }
 
 ui::Input ui_input(const Lab& lab) {

@@ -13,6 +13,7 @@
 #include "renderer/picture/image.h"
 #include "renderer/study/rows/study_row.h"
 #include "renderer/truth/error_stats.h"
+#include "renderer/truth/pixel_account.h"
 #include "ui/ui.h"
 
 namespace gbl {
@@ -51,6 +52,9 @@ class Lab {
   void count_pairs(bool lit_too) { renderer_.count_pairs(drawn_, *gpu_scene_, targets_, lit_too); }
   void start_probe(glm::ivec2 pixel) { renderer_.start_probe(drawn_, *gpu_scene_, targets_, pixel); }
   std::optional<PixelProbe> take_probe(bool wait = false) { return renderer_.take_probe(targets_, wait); }
+  // Why the pixel of this probe looks as it does; nothing while the reference is being made. Lights are not counted.
+  std::optional<PixelAccount> account(const PixelProbe&, bool wait);
+  std::vector<int> times_shaded(glm::ivec2 pixel, const std::vector<int>& lights);  // waits for the GPU
   // The views `reference` and `error` of the frame just drawn. False while the reference is being made.
   bool draw_truth_view(View, bool wait);
   double truth_progress() const { return truths_.progress(); }  // 0..1
@@ -90,6 +94,9 @@ class Lab {
   std::array<double, 8> work_{};
   long long learnt_ = 0;
 };
+
+// How often the strongest lights of an account were shaded, into it.
+void count_lights(Lab&, PixelAccount&, size_t most);
 
 // What a panel reads, from what the lab has drawn.
 ui::Input ui_input(const Lab&);

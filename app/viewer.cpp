@@ -95,7 +95,7 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
 // The reference takes a second or more: its views appear when it is there, and the window goes on meanwhile. Nothing
 // is begun while something moves: it would be given up at the next frame.
 void Viewer::draw_truth(const Settings& s, const ui::Requests& requests, bool all) {
-  bool wanted = false, complete = true;
+  bool wanted = requests.account, complete = true;
   for (const View view : {View::reference, View::error}) {
     bool& fresh = fresh_[static_cast<size_t>(view)];
     if (!requests.visible[static_cast<size_t>(view)] || !why_missing(view, lab_.drawn()).empty()) continue;
@@ -145,6 +145,26 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
   view_drawn_ = s.view;
 }
 
+// First the truth, then how often its lights were shaded, one in each frame: a pass of its own each.
+void Viewer::work_out_account(const ui::Requests& requests) {
+  account_waiting_ = requests.account && requests.probe && !moving_;
+  if (!requests.account) account_.reset();
+  if (!account_waiting_ || !probe_ || probe_->pixel != requests.probe) return;
+  try {
+    if (!account_) account_ = lab_.account(*probe_, false);
+    if (!account_) return;
+    constexpr size_t kMostCounted = 16;
+    const auto first =
+        std::find_if(account_->lights.begin(), account_->lights.end(), [](const LightShare& l) { return !l.shaded; });
+    account_waiting_ =
+        first != account_->lights.end() && first - account_->lights.begin() < static_cast<std::ptrdiff_t>(kMostCounted);
+    if (account_waiting_) first->shaded = lab_.times_shaded(account_->pixel, {first->index}).front();
+  } catch (const Error& e) {
+    message_ = e.what();
+    account_waiting_ = false;
+  }
+}
+
 void Viewer::ask_numbers(const ui::Requests& requests, bool all) {
   if (auto values = lab_.take_numbers()) numbers_ = {numbers_asked_->first, numbers_asked_->second, std::move(*values)};
   if (!requests.numbers) numbers_.reset(), numbers_asked_.reset();
@@ -188,8 +208,12 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   }
   lab_.collect(false);
   waiting_ = waiting_ && !lab_.report().pairs;
-  if (auto p = lab_.take_probe()) probe_ = p;
-  if (!requests.probe) probe_.reset(), probe_asked_.reset();
+  if (auto p = lab_.take_probe()) {
+    probe_ = p;
+    account_.reset();
+  }
+  if (!requests.probe) probe_.reset(), probe_asked_.reset(), account_.reset();
+  work_out_account(requests);
 }
 
 bool Viewer::measures_more() const {
@@ -209,6 +233,7 @@ void Viewer::measure(const Settings& s, const ui::Requests& requests, bool quiet
 ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
+  in.account = account_ ? &*account_ : nullptr;
   in.numbers = numbers_ ? &*numbers_ : nullptr;
   for (const auto& job : jobs_) job->fill(in);
   in.truth_progress = lab_.truth_progress();

@@ -39,13 +39,16 @@ class Viewer {
   bool busy() const { return drawing() || measures_more(); }
 
  private:
-  bool drawing() const { return waiting_ || moving_ || truth_waiting_ || stats_waiting_ || loader_.loading(); }
+  bool drawing() const {
+    return waiting_ || moving_ || truth_waiting_ || stats_waiting_ || account_waiting_ || loader_.loading();
+  }
   bool measures_more() const;
   bool scene_ready(const Settings&);
   void arrive(bool wait, LightSource lights);  // lights: those shown in the scene, unless it was dropped
   void draw_frame(const Settings&, bool moving);
   void draw_truth(const Settings&, const ui::Requests&, bool all);
   void take_stats(const ui::Requests&);
+  void work_out_account(const ui::Requests&);
   void ask_numbers(const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload();
@@ -63,6 +66,8 @@ class Viewer {
   std::array<bool, kViewCount> asked_stats_{};  // of the frame drawn last
   bool stats_waiting_ = false;                  // of a visible view
   Settings::View view_drawn_;
+  std::optional<PixelAccount> account_;  // of probe_
+  bool account_waiting_ = false;
   std::optional<ui::PixelNumbers> numbers_;
   std::optional<std::pair<View, PixelGrid>> numbers_asked_;
   std::optional<PixelProbe> probe_;

@@ -16,6 +16,7 @@
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 #include "renderer/truth/error_stats.h"
+#include "renderer/truth/pixel_account.h"
 #include "ui/advisor_io.h"
 #include "ui/chart_io.h"
 #include "ui/stability_io.h"
@@ -38,6 +39,7 @@ struct Input {
   std::array<ViewImage, kViewCount> images;          // by View
   std::array<const ViewStats*, kViewCount> stats{};  // of what is seen, by View; null: not known
   std::optional<PixelProbe> probe;                   // of the pixel asked for
+  const PixelAccount* account = nullptr;             // of the held pixel, once it is worked out
   const PixelNumbers* numbers = nullptr;             // those asked for, once they are there
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
   double truth_progress = 1;                         // of the reference that is being made; 1: none is
@@ -71,6 +73,7 @@ struct Requests {
   bool quit = false;
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
+  bool account = false;                               // why the probed pixel looks as it does
   bool magnified = false;                             // pixels are shown as squares
   std::array<bool, kViewCount> visible{};             // views that the next frame must draw
   glm::ivec2 picture_size{0};                         // of the largest picture on screen, in screen pixels

@@ -1,4 +1,6 @@
 // Counting pairs: variants of their own, so that what is timed is not slowed.
+#include <bit>
+
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/lighting.h"
 
@@ -15,16 +17,48 @@ const gl::Framebuffer& clear_counts(const gl::Framebuffer& counts) {
   return counts;
 }
 
+void draw_counts(Frame& frame) {
+  Targets& targets = frame.targets();
+  if (frame.resolved.shading == Shading::forward)
+    draw_forward(frame, LightOutput::count, clear_counts(targets.canvases.counts_with_depth(targets.frame)));
+  else
+    draw_lighting(frame, LightOutput::count, targets.canvases.counts(targets.frame).framebuffer);
+}
+
+// The lights of a frame, and what its method reads of them.
+void bring_lights(Frame& frame) {
+  upload_lights(frame);
+  if (frame.resolved.shading != Shading::forward) prepare_lighting(frame);
+}
+
 }  // namespace
+
+std::vector<int> Renderer::times_shaded(const std::vector<int>& lights, glm::ivec2 pixel, const Settings& s,
+                                        const GpuScene& scene, Targets& targets) {
+  std::vector<int> times;
+  for (const int light : lights) {
+    Settings alone = s;
+    alone.lights.only = light;
+    Frame frame = frame_of(alone, scene, targets);
+    bring_lights(frame);
+    draw_counts(frame);
+    gl::AsyncTexels read;
+    const gl::Texture* const counts[] = {&targets.canvases.counts().texture};
+    read.start(counts, {pixel.x, s.size.y - 1 - pixel.y});
+    constexpr size_t kInRange = 2;
+    times.push_back(static_cast<int>(std::bit_cast<float>(read.take(true)->at(0)[kInRange])));
+  }
+  Frame frame = frame_of(s, scene, targets);
+  bring_lights(frame);
+  targets.canvases.counts_valid = false;
+  return times;
+}
 
 void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& targets, bool lit_too) {
   Frame frame = frame_of(s, scene, targets);
   Canvases& canvases = targets.canvases;
   const gl::PassScope scope(targets.timers, "count");
-  if (frame.resolved.shading == Shading::forward)
-    draw_forward(frame, LightOutput::count, clear_counts(canvases.counts_with_depth(targets.frame)));
-  else
-    draw_lighting(frame, LightOutput::count, canvases.counts(targets.frame).framebuffer);
+  draw_counts(frame);
   begin_drawing(canvases.counts_lit().framebuffer, s.size, {});
   if (lit_too) {
     bind_gbuffer(frame);

@@ -70,6 +70,10 @@ class Renderer {
   // the view's numbers of some pixels (view_stats.h), and w = 1 where there are any, into targets.canvases.numbers()
   void draw_numbers(View, const Settings&, const GpuScene&, Targets&, const PixelGrid&, ViewOptions = {});
   void count_pairs(const Settings&, const GpuScene&, Targets&, bool lit_too);
+  // How often each of these lights was shaded at a pixel (origin top left): counted as pairs are, with that light alone.
+  // Waits for the GPU.
+  std::vector<int> times_shaded(const std::vector<int>& lights, glm::ivec2 pixel, const Settings&, const GpuScene&,
+                                Targets&);
   void start_probe(const Settings&, const GpuScene&, Targets&, glm::ivec2 pixel);  // pixel: origin top left
 
   // For the reference and the measures (renderer/passes/judging.h):

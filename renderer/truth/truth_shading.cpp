@@ -100,6 +100,13 @@ bool reaches(const TruthLight& l, const glm::dvec3& position) {
          glm::dot(from_light, l.light.direction) > l.light.outer_cos * std::sqrt(distance2);
 }
 
+double arriving_share(const ShadingModelOf& m, const TruthLight& l, const glm::dvec3& position) {
+  if (l.light.kind == LightKind::directional) return 1;
+  const glm::dvec3 from_light = position - l.position;
+  const double distance = glm::length(from_light);
+  return distance < l.light.range ? strength(m, l.light, distance, from_light / std::max(distance, kNearest)) : 0;
+}
+
 Reflected reflected(const ShadingModelOf& m, const TruthSurface& s, const TruthLight& l) {
   glm::dvec3 to_light;
   double share = 1;

@@ -43,6 +43,9 @@ struct ShadingModelOf {
 // Does the light reach the point at all: nearer than its range, inside its outer cone? Whatever the surface faces.
 bool reaches(const TruthLight&, const glm::dvec3& position);
 
+// Of what a light sends towards a point, the share that arrives: falloff, cone and window. 0 beyond its range.
+double arriving_share(const ShadingModelOf&, const TruthLight&, const glm::dvec3& position);
+
 // Radiance per channel that this light adds. 0 where it does not reach or the surface is turned away.
 Reflected reflected(const ShadingModelOf&, const TruthSurface&, const TruthLight&);
 

@@ -16,6 +16,7 @@ namespace gbl::ui {
   PANEL(Chart)            \
   PANEL(Stability)        \
   PANEL(Advisor)          \
+  PANEL(Pixel)            \
   PANEL(Card)
 
 #define GBL_DECLARE(name) extern const Panel k##name##Panel;
