@@ -9,6 +9,7 @@
 #include "app/headless.h"
 #include "app/imgui_screen.h"
 #include "app/lab.h"
+#include "app/layers_exr.h"
 #include "app/report_json.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
@@ -148,6 +149,7 @@ ExitCode run_render(const Arguments& a) {
     lab.draw_view(v, {.raw = true});
     writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v));
   }
+  if (a.exr) write_layers(folder / "layers.exr", lab, shown, {{kSettingsKey, state}});
   lab.collect(true);
   if (a.sheet) {
     writer.write("sheet.png", picture_of(lab, sheet_of(lab, shown)));
@@ -159,7 +161,8 @@ ExitCode run_render(const Arguments& a) {
   if (a.json)
     fmt::print("{}\n", report_json(lab).dump(2));
   else
-    fmt::print("{}\n{} pictures and settings.json in {}\n", in_words(s, lab.report()), files.size(), folder.string());
+    fmt::print("{}\n{} pictures{} and settings.json in {}\n", in_words(s, lab.report()), files.size(),
+               a.exr ? ", layers.exr" : "", folder.string());
   return ExitCode::done;
 }
 

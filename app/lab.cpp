@@ -56,6 +56,18 @@ void Lab::draw_measured_view(View view, ViewOptions options) {
   draw_view(view, options);
 }
 
+std::vector<glm::vec4> Lab::numbers_of(View v) {
+  ViewOptions options;
+  std::shared_ptr<const TruthSet> truth;
+  if (needs_truth(v)) {
+    truth = truths_.get(renderer_, *gpu_scene_, drawn_, true);
+    options.truth = &truth->textures;
+    if (v == View::error) renderer_.draw_errors(drawn_, *gpu_scene_, targets_, truth->textures);
+  }
+  renderer_.draw_numbers(v, drawn_, *gpu_scene_, targets_, {{0, 0}, {1, 1}, drawn_.size}, options);
+  return rows_from_top<glm::vec4>(drawn_.size, gl::read_rgba32f(targets_.canvases.numbers().texture));
+}
+
 void Lab::ask_numbers(View v, const PixelGrid& pixels) {
   renderer_.draw_numbers(v, drawn_, *gpu_scene_, targets_, pixels);
   numbers_.start(targets_.canvases.numbers().texture);

@@ -46,6 +46,7 @@ class Lab {
   bool take_stats(View v) { return meter_.take(v, false); }  // true: a new answer
   bool stats_pending(View v) const { return meter_.waiting(v); }
   const ViewStats* stats_of(View v) const { return meter_.of(v); }
+  std::vector<glm::vec4> numbers_of(View);  // all of the frame, rows top to bottom; waits
   void ask_numbers(View, const PixelGrid&);
   std::optional<std::vector<glm::vec4>> take_numbers();               // rows top to bottom, once they are there
   void show_squares(bool on) { targets_.canvases.show_squares(on); }  // where pictures are magnified

@@ -1,0 +1,75 @@
+#include "renderer/picture/exr.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fmt/format.h>
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+
+namespace gbl {
+namespace {
+
+// The library writes where write_file() says, so that nobody sees half a file.
+class Stream : public Imf::OStream {
+ public:
+  Stream(std::FILE* file, const std::string& name) : OStream(name.c_str()), file_(file) {}
+  void write(const char bytes[], int n) override {
+    if (std::fwrite(bytes, 1, static_cast<size_t>(n), file_) != static_cast<size_t>(n))
+      throw std::runtime_error("disk full");
+  }
+  uint64_t tellp() override { return static_cast<uint64_t>(std::ftell(file_)); }
+  void seekp(uint64_t at) override {
+    if (std::fseek(file_, static_cast<long>(at), SEEK_SET) != 0) throw std::runtime_error("cannot seek");
+  }
+
+ private:
+  std::FILE* file_;
+};
+
+std::vector<uint32_t> whole_numbers(const std::vector<float>& values) {
+  std::vector<uint32_t> out(values.size());
+  for (size_t i = 0; i < values.size(); ++i) out[i] = static_cast<uint32_t>(std::lround(std::max(values[i], 0.0f)));
+  return out;
+}
+
+}  // namespace
+
+void write_exr(const std::filesystem::path& path, glm::ivec2 size, const std::vector<ExrChannel>& channels,
+               const std::vector<std::pair<std::string, std::string>>& texts) {
+  Imf::Header header(size.x, size.y);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [name, text] : texts) header.insert(name, Imf::StringAttribute(text));
+  Imf::FrameBuffer buffer;
+  std::vector<std::vector<uint32_t>> whole;
+  whole.reserve(channels.size());
+  for (const ExrChannel& c : channels) {
+    const Imf::PixelType type = c.whole ? Imf::UINT : Imf::FLOAT;
+    header.channels().insert(c.name, Imf::Channel(type));
+    const void* first = c.values.data();
+    if (c.whole) first = whole.emplace_back(whole_numbers(c.values)).data();
+    // The library writes through no pointer of a frame buffer that is written from.
+    buffer.insert(c.name, Imf::Slice(type, static_cast<char*>(const_cast<void*>(first)), sizeof(float),
+                                     sizeof(float) * static_cast<size_t>(size.x)));
+  }
+  write_file(path, [&](std::FILE* file) {
+    try {
+      Stream stream(file, path.string());
+      Imf::OutputFile out(stream, header);
+      out.setFrameBuffer(buffer);
+      out.writePixels(size.y);
+    } catch (const std::exception& e) {
+      throw Error(ExitCode::unfinished, path.string(), fmt::format("it cannot be written: {}", e.what()),
+                  "free some space, or give another folder");
+    }
+  });
+}
+
+}  // namespace gbl
