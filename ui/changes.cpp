@@ -135,6 +135,29 @@ void show_view(FrameContext& f, View v) {
   turn_panels(f.state, v);
 }
 
+namespace {
+constexpr size_t kViewsOfAPage = 8;
+
+// What the first page has no place for and these settings can show.
+std::vector<View> further_views(const Settings& stored) {
+  std::vector<View> out;
+  for (const ViewRow& v : views())
+    if (v.view >= View::position && !needs_truth(v.view) && why_missing(v.view, stored).empty()) out.push_back(v.view);
+  return out;
+}
+}  // namespace
+
+size_t pages_of(const Settings& stored) {
+  return 1 + (further_views(stored).size() + kViewsOfAPage - 1) / kViewsOfAPage;
+}
+
+std::vector<View> page_of(const Settings& stored, size_t page) {
+  const std::vector<View> all = further_views(stored);
+  if (page == 0 || (page - 1) * kViewsOfAPage >= all.size()) return {};
+  const auto first = all.begin() + static_cast<std::ptrdiff_t>((page - 1) * kViewsOfAPage);
+  return {first, first + std::min<std::ptrdiff_t>(kViewsOfAPage, all.end() - first)};
+}
+
 void open_lesson(State& state, Settings& settings, Lesson lesson) {
   state.lesson = LessonRun{std::move(lesson)};
   close_panels(state, {Place::over, Place::whole, Place::edge});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/frame/frame_lights.h"
 #include "renderer/frame/validate.h"
@@ -34,7 +35,28 @@ std::optional<Light> light_at(const FrameContext& f, int index) {
 
 }  // namespace
 
-void show_all(FrameContext& f, const KeyEvent&) { f.state.large = false; }
+void show_all(FrameContext& f, const KeyEvent&) {
+  State& s = f.state;
+  const size_t pages = pages_of(f.stored);
+  if (!std::exchange(s.large, false)) s.page = (s.page + 1) % pages;
+  if (pages > 1) say(f, {fmt::format("Views, page {} of {}. 0 turns the page.", s.page + 1, pages), ""});
+}
+
+namespace {
+// The settings as they were, said as a change to them.
+void take_step(FrameContext& f, bool (History::*step)(Settings&), const char* none) {
+  const Settings before = f.settings;
+  if (!(f.state.history.*step)(f.settings)) return say(f, {none, ""});
+  f.state.glide.reset();
+  f.state.before_glide.reset();
+  Sentence sentence = describe_change(before, f.settings);
+  if (sentence.text.empty()) sentence.text = "As it was: the camera, or what is looked at.";
+  say(f, std::move(sentence));
+}
+}  // namespace
+
+void undo(FrameContext& f, const KeyEvent&) { take_step(f, &History::undo, "There is nothing to take back."); }
+void redo(FrameContext& f, const KeyEvent&) { take_step(f, &History::redo, "Nothing was taken back."); }
 
 void show_whole_picture(FrameContext& f, const KeyEvent&) { show_whole(f); }
 void show_pixels(FrameContext& f, const KeyEvent&) { show_pixel_for_pixel(f); }
@@ -87,6 +109,7 @@ void go_home(FrameContext& f, const KeyEvent&) {
   f.settings = s.initial;
   s.large = s.initial.view.main != "final";
   s.playing = s.show_distance = s.hidden = false;
+  s.page = 0;
   close_panels(s, {Place::over, Place::whole});
   s.glide.reset();
   s.before_glide.reset();

@@ -6,6 +6,8 @@ namespace gbl::ui {
 
 struct FrameContext;
 
+void undo(FrameContext&, const KeyEvent&);
+void redo(FrameContext&, const KeyEvent&);
 void show_whole_picture(FrameContext&, const KeyEvent&);
 void show_pixels(FrameContext&, const KeyEvent&);
 void step_channels(FrameContext&, const KeyEvent&);

@@ -14,13 +14,15 @@ namespace {
 
 // Rows with a modifier come before the same key without one.
 constexpr KeyCommand kCommands[] = {
+    {"Ctrl+Z", "undo", "take the last change of the settings back", undo, true},
+    {"Ctrl+Y", "redo", "make it again", redo, true},
     {"Ctrl+0", "zoom.pixels", "pixel for pixel, or where that is so already eight times as large", show_pixels},
     {"Ctrl+F", "zoom.whole", "the whole picture in all panels", show_whole_picture},
     {"Ctrl+L", "look.channels", "the large view: all channels, red, green, blue", step_channels},
     {"Ctrl+M", "look.map", "the large view: the next colour map", step_map},
     {"Ctrl+R", "look.fit", "the large view: black and white at the ends of what is seen; again: its own", fit_range},
     {"Ctrl+H", "look.histogram", "the large view: its histogram, with handles for black and white", toggle_histogram},
-    {"0", "view.all", "all views at once", show_all},
+    {"0", "view.all", "all views at once; again: the next page of them", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},
     {"Home", "home", "everything as it was loaded", go_home},
     {"I", "glide", "glide into the picked light, and back", glide},

@@ -41,7 +41,13 @@ Layout make_layout(const LayoutInput& in) {
     l.main = in.chosen;
     place({in.chosen, 0, 0, in.beside ? 800.0f : in.hidden ? 1600.0f : kColumnX});
   } else {
-    for (const Cell& c : kMosaic) place(c);
+    const size_t n = in.page.empty() ? std::size(kMosaic) : std::min(in.page.size(), std::size(kMosaic));
+    for (size_t i = 0; i < n; ++i) {
+      Cell c = kMosaic[i];
+      if (!in.page.empty()) c.view = in.page[i];
+      place(c);
+    }
+    if (!in.page.empty()) l.main = in.page[0];
   }
   return l;
 }

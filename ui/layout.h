@@ -3,6 +3,7 @@
 // stay 16:9, and height that is left over goes to the strip and the control column.
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "renderer/inspect/views.h"
 #include "ui/text.h"
@@ -12,9 +13,10 @@ namespace gbl::ui {
 struct LayoutInput {
   ImVec2 display;
   View chosen = View::final;
-  bool large = false;   // the chosen view alone
-  bool hidden = false;  // pictures only
-  bool beside = false;  // a panel stands on the right half: the large picture stays in the left one
+  bool large = false;      // the chosen view alone
+  std::vector<View> page;  // of the mosaic, the first one large; empty: the first page
+  bool hidden = false;     // pictures only
+  bool beside = false;     // a panel stands on the right half: the large picture stays in the left one
   float status_height = 25;
 };
 

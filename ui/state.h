@@ -9,6 +9,7 @@
 
 #include "renderer/options/options.h"
 #include "ui/captions.h"
+#include "ui/history.h"
 #include "ui/layout.h"
 #include "ui/panel.h"
 #include "ui/style.h"
@@ -43,7 +44,8 @@ struct State {
 
   Settings initial;
   bool present;
-  bool large;  // the chosen view alone, else the mosaic
+  bool large;       // the chosen view alone, else the mosaic
+  size_t page = 0;  // of the mosaic
   float ui_scale = 1;
   bool hidden = false, playing = false;
 
@@ -60,6 +62,8 @@ struct State {
   bool focus_field = false;  // in this frame
   bool entered = false;      // Enter, in this frame, while something is typed
   void type_into(const char* id) { field = id, focus_field = true; }
+
+  History history;
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;
@@ -113,6 +117,9 @@ void edit_option_as_typed(FrameContext&, const Option&, const std::string&);
 void step_option(FrameContext&, const Option&, int step);  // choices cycle, whole numbers double and halve
 void choose_preset(FrameContext&, int index);
 void show_view(FrameContext&, View);  // alone; again: all views
+// The views of a page of the mosaic; empty: the first page, whose places are fixed.
+std::vector<View> page_of(const Settings& stored, size_t page);
+size_t pages_of(const Settings& stored);
 
 void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays

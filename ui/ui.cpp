@@ -12,10 +12,11 @@ namespace {
 constexpr float kPresentScale = 1.5f;
 const ImVec2 kLeastWindow = {160, 90};  // below this nothing could be read, and parts of the screen have no area
 
-LayoutInput layout_input(const State& s, const Settings& settings, const Type& type) {
+LayoutInput layout_input(const State& s, const Settings& settings, const Settings& stored, const Type& type) {
   return {.display = ImGui::GetIO().DisplaySize,
           .chosen = view_by_id(settings.view.main).view,
           .large = s.large,
+          .page = page_of(stored, s.page),
           .hidden = s.hidden,
           .beside = panel_beside(s),
           .status_height = status_height(type)};
@@ -44,7 +45,8 @@ void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   for (const KeyEvent& e : keys) dispatch(f, e);
   advance_motion(f);
   f.type = type_of(f.state);
-  f.layout = make_layout(layout_input(f.state, f.settings, f.type));
+  f.stored = resolve(f.settings, f.input.scene).settings;
+  f.layout = make_layout(layout_input(f.state, f.settings, f.stored, f.type));
   make_room(f);
 }
 
@@ -66,9 +68,10 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   }
   FrameContext f{s, settings, input, requests, {}, {}, Painter(*ImGui::GetWindowDrawList(), s.cut_texts)};
   f.type = type_of(s);
-  f.layout = make_layout(layout_input(s, settings, f.type));
-  take_input(f, keys);
   f.stored = resolve(settings, input.scene).settings;
+  f.layout = make_layout(layout_input(s, settings, f.stored, f.type));
+  s.history.see(settings);
+  take_input(f, keys);
 
   f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, kBackground);
   draw_pictures(f);

@@ -341,6 +341,66 @@ TEST(Mouse, ADragOnTheLargePictureLooksAroundAndChoosesNothing) {
   EXPECT_EQ(desk.settings.view.main, "depth");
 }
 
+TEST(History, UndoAndRedoWalkThroughTheSettings) {
+  Desk desk;
+  const Settings first = desk.settings;
+  desk.press("c");
+  desk.frame();
+  const Settings second = desk.settings;
+  desk.press("n");
+  desk.frame();
+  const Settings third = desk.settings;
+  desk.press("z", false, true);
+  EXPECT_EQ(desk.settings, second);
+  desk.frame();
+  desk.press("z", false, true);
+  EXPECT_EQ(desk.settings, first);
+  desk.frame();
+  desk.press("z", false, true);
+  EXPECT_EQ(desk.settings, first) << "nothing is left to take back";
+  desk.press("y", false, true);
+  desk.frame();
+  desk.press("y", false, true);
+  EXPECT_EQ(desk.settings, third);
+  desk.frame();
+  desk.press("z", false, true);
+  desk.frame();
+  desk.press("t");
+  desk.frame();
+  const Settings other = desk.settings;
+  desk.press("y", false, true);
+  EXPECT_EQ(desk.settings, other) << "what was taken back is gone after another change";
+}
+
+TEST(History, ADragIsOneStep) {
+  Desk desk;
+  desk.frame();
+  const Camera before = desk.settings.camera;
+  desk.point({100, 100});
+  desk.point({100, 100}, true);
+  for (float x = 110; x < 200; x += 10) desk.point({x, 90}, true);
+  desk.point({190, 90});
+  desk.frame(), desk.frame();
+  ASSERT_FALSE(desk.settings.camera == before);
+  desk.press("z", false, true);
+  EXPECT_EQ(desk.settings.camera, before);
+}
+
+TEST(Pages, EveryViewThatIsStoredHasAPlaceOnOne) {
+  for (const Preset& p : presets()) {
+    Desk desk({1600, 900}, false, p.make());
+    std::array<bool, kViewCount> seen{};
+    for (size_t page = 0; page < 4; ++page) {
+      for (size_t v = 0; v < seen.size(); ++v) seen[v] |= desk.requests.visible[v];
+      desk.press("0");
+    }
+    for (const ViewRow& v : views()) {
+      if (needs_truth(v.view)) continue;
+      EXPECT_EQ(seen[static_cast<size_t>(v.view)], why_missing(v.view, desk.settings).empty()) << p.id << " " << v.id;
+    }
+  }
+}
+
 TEST(Sheets, AreAsLargeAsTheirTilesAndGrowWithCaptions) {
   Desk desk;
   Sheet sheet{.title = "Title",
