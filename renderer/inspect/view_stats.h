@@ -1,5 +1,6 @@
 #pragma once
 // What the numbers of a view are like, from some tens of thousands of its pixels: ranges, histogram, what is unsound.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
