@@ -1,6 +1,7 @@
 #include "renderer/frame/resolve.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "renderer/frame/attachments.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 Scene with(Material m) {
   Scene s;
-  s.materials = {m};
+  s.materials.push_back(std::move(m));
   s.instances = {{"thing", 0, 0, glm::dmat4(1)}};
   return s;
 }
