@@ -64,7 +64,7 @@ class AllPairs {
     chosen = completed(chosen);
     for (const Axis& axis : axes_)
       if (!names(chosen, axis)) take_best(axis, chosen);
-    const Settings s = settings_of(chosen);
+    Settings s = settings_of(chosen);
     EXPECT_TRUE(validate(s, limits_here()).empty());
     for (const Choice& x : chosen)
       for (const Choice& y : chosen)
@@ -141,7 +141,7 @@ inline Settings random_choices(Pcg32& random, glm::ivec2 size = {160, 90}) {
   for (;;) {
     std::vector<Choice> chosen;
     for (const Axis& axis : all_axes()) chosen.push_back(axis[random.next() % axis.size()]);
-    const Settings s = settings_of(chosen, size);
+    Settings s = settings_of(chosen, size);
     if (validate(s, limits_here()).empty()) return s;
   }
 }

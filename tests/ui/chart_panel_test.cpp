@@ -344,13 +344,14 @@ TEST(Chart, RRunsTheChosenStudyOnceAndStopsWhatRuns) {
 // Where a value stands on the screen, told from where the mouse finds it: over the whole plot, in small steps.
 std::optional<ImVec2> place_of_a_point(ChartDesk& desk, const Settings& wanted) {
   const Settings before = desk.settings;
-  for (float y = 110; y < 560; y += 5)
-    for (float x = 860; x < 1590; x += 5) {
-      desk.click({x, y});
+  for (int y = 110; y < 560; y += 5)
+    for (int x = 860; x < 1590; x += 5) {
+      const ImVec2 at{static_cast<float>(x), static_cast<float>(y)};
+      desk.click(at);
       if (desk.settings == before) continue;
       const bool found = desk.settings == applied(before, wanted);
       desk.settings = before;
-      if (found) return ImVec2{x, y};
+      if (found) return at;
     }
   return {};
 }

@@ -17,7 +17,7 @@ namespace gbl::ui {
 // A desk with the window on it: settings, a small scene, and frames drawn into nothing.
 class Desk {
  public:
-  explicit Desk(ImVec2 display = {1600, 900}, bool present = false, Settings loaded = preset("start").make())
+  explicit Desk(ImVec2 display = {1600, 900}, bool present = false, const Settings& loaded = preset("start").make())
       : settings(loaded), ui(loaded, present) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();

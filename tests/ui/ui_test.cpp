@@ -314,8 +314,8 @@ TEST(Looks, ButtonsStandAboveThePictureAndDoNotHoldPixels) {
   int changes = 0;
   bool looked = false;
   Settings before = desk.settings;
-  for (float x = 1190; x > 900; x -= 6) {
-    desk.click({x, 12});
+  for (int x = 1190; x > 900; x -= 6) {
+    desk.click({static_cast<float>(x), 12});
     desk.point({1300, 800});
     if (!(desk.settings == before)) ++changes;
     before = desk.settings;
@@ -378,7 +378,7 @@ TEST(History, ADragIsOneStep) {
   const Camera before = desk.settings.camera;
   desk.point({100, 100});
   desk.point({100, 100}, true);
-  for (float x = 110; x < 200; x += 10) desk.point({x, 90}, true);
+  for (int x = 110; x < 200; x += 10) desk.point({static_cast<float>(x), 90}, true);
   desk.point({190, 90});
   desk.frame(), desk.frame();
   ASSERT_FALSE(desk.settings.camera == before);
