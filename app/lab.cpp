@@ -71,12 +71,13 @@ std::vector<glm::vec4> Lab::numbers_of(View v) {
 void Lab::ask_numbers(View v, const PixelGrid& pixels) {
   renderer_.draw_numbers(v, drawn_, *gpu_scene_, targets_, pixels);
   numbers_.start(targets_.canvases.numbers().texture);
+  numbers_asked_ = pixels.count;
 }
 
 std::optional<std::vector<glm::vec4>> Lab::take_numbers() {
   const std::vector<float>* floats = numbers_.take(false);
   if (!floats) return {};
-  return rows_from_top<glm::vec4>(targets_.canvases.numbers().texture.size, *floats);
+  return rows_from_top<glm::vec4>(numbers_asked_, *floats);
 }
 
 std::optional<PixelAccount> Lab::account(const PixelProbe& probe, bool wait) {
@@ -86,6 +87,8 @@ std::optional<PixelAccount> Lab::account(const PixelProbe& probe, bool wait) {
       static_cast<size_t>(probe.pixel.y) * static_cast<size_t>(drawn_.size.x) + static_cast<size_t>(probe.pixel.x);
   return account_of(targets_.drawn->settings, scene(), truth->texels[i], probe);
 }
+
+bool Lab::shades_pixels() const { return shading_of(report_.drawn.lights.method) != Shading::forward; }
 
 std::vector<int> Lab::times_shaded(glm::ivec2 pixel, const std::vector<int>& lights) {
   return renderer_.times_shaded(lights, pixel, drawn_, *gpu_scene_, targets_);
@@ -144,6 +147,7 @@ Canvas Lab::copy_of(View view) const {
 }
 
 void count_lights(Lab& lab, PixelAccount& account, size_t most) {
+  if (!lab.shades_pixels()) return;
   std::vector<int> lights;
   for (size_t i = 0; i < std::min(account.lights.size(), most); ++i) lights.push_back(account.lights[i].index);
   const std::vector<int> times = lab.times_shaded(account.pixel, lights);

@@ -55,6 +55,8 @@ class Lab {
   std::optional<PixelProbe> take_probe(bool wait = false) { return renderer_.take_probe(targets_, wait); }
   // Why the pixel of this probe looks as it does; nothing while the reference is being made. Lights are not counted.
   std::optional<PixelAccount> account(const PixelProbe&, bool wait);
+  // Does the frame's method shade pixels? Forward shading shades surfaces, hidden ones too: no count of it says more.
+  bool shades_pixels() const;
   std::vector<int> times_shaded(glm::ivec2 pixel, const std::vector<int>& lights);  // waits for the GPU
   // The views `reference` and `error` of the frame just drawn. False while the reference is being made.
   bool draw_truth_view(View, bool wait);
@@ -89,6 +91,7 @@ class Lab {
   std::optional<ErrorStats> error_stats_;
   ViewMeter meter_;
   gl::AsyncRead numbers_;
+  glm::ivec2 numbers_asked_{0};  // how many pixels
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

@@ -153,11 +153,14 @@ void Viewer::work_out_account(const ui::Requests& requests) {
   try {
     if (!account_) account_ = lab_.account(*probe_, false);
     if (!account_) return;
-    constexpr size_t kMostCounted = 16;
+    if (!lab_.shades_pixels()) {
+      account_waiting_ = false;
+      return;
+    }
     const auto first =
         std::find_if(account_->lights.begin(), account_->lights.end(), [](const LightShare& l) { return !l.shaded; });
-    account_waiting_ =
-        first != account_->lights.end() && first - account_->lights.begin() < static_cast<std::ptrdiff_t>(kMostCounted);
+    account_waiting_ = first != account_->lights.end() &&
+                       first - account_->lights.begin() < static_cast<std::ptrdiff_t>(kCountedLights);
     if (account_waiting_) first->shaded = lab_.times_shaded(account_->pixel, {first->index}).front();
   } catch (const Error& e) {
     message_ = e.what();

@@ -46,6 +46,17 @@ vec4 raw_texel(vec4 t) { return t; }
 #endif
 #endif
 
+// Where reflectance, metal and occlusion are kept.
+vec4 raw_reflectance(ivec2 texel) {
+#ifdef STORED_REFLECTANCE
+  return raw_texel(texelFetch(gbuffer_reflectance, texel, 0));
+#elif defined(STORED_MATERIAL)
+  return raw_texel(texelFetch(gbuffer_material, texel, 0));
+#else
+  return raw_lit(texel);
+#endif
+}
+
 #include VIEW_FILE
 
 #if VIEW_AS == VIEW_AS_NUMBERS

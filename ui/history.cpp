@@ -24,26 +24,18 @@ void History::see(const Settings& now) {
   any_ = true;
 }
 
-bool History::undo(Settings& s) {
-  if (past_.empty()) return false;
-  future_.push_back(s);
+bool History::step(std::deque<Settings>& from, std::deque<Settings>& to, Settings& s) {
+  if (from.empty()) return false;
+  to.push_back(s);
   const glm::ivec2 size = s.size;
-  s = past_.back();
+  s = from.back();
   s.size = size;
-  past_.pop_back();
+  from.pop_back();
   seen_ = s, changing_ = false;
   return true;
 }
 
-bool History::redo(Settings& s) {
-  if (future_.empty()) return false;
-  past_.push_back(s);
-  const glm::ivec2 size = s.size;
-  s = future_.back();
-  s.size = size;
-  future_.pop_back();
-  seen_ = s, changing_ = false;
-  return true;
-}
+bool History::undo(Settings& s) { return step(past_, future_, s); }
+bool History::redo(Settings& s) { return step(future_, past_, s); }
 
 }  // namespace gbl::ui

@@ -15,6 +15,7 @@ class History {
   bool redo(Settings&);
 
  private:
+  bool step(std::deque<Settings>& from, std::deque<Settings>& to, Settings&);
   static constexpr size_t kMost = 200;
   std::deque<Settings> past_, future_;  // the nearest at the end
   Settings seen_;                       // of the frame before

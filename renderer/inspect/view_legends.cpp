@@ -111,10 +111,11 @@ Legend normal_legend(const LegendOf&) {
 CountSteps count_steps(const ViewStats* stats) {
   constexpr int kPlain = kLightCountColours - 1;
   int last = kPlain;
-  if (stats)
-    for (int decade = 10; decade <= stats->largest(); decade *= 10)
-      for (const int times : {1, 2, 5})
-        if (times * decade <= stats->largest()) last = times * decade;
+  constexpr double kMost = 1e8;  // more lights than there can be; distances and positions come here as well
+  const double largest = stats ? std::min(stats->largest(), kMost) : 0;
+  for (int decade = 10; decade <= largest; decade *= 10)
+    for (const int times : {1, 2, 5})
+      if (times * decade <= largest) last = times * decade;
   CountSteps from{};
   for (int i = 1; i <= kPlain; ++i)
     from[static_cast<size_t>(i)] =

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMostSamples = 65536;
 
-// Of `components` channels: have they all a number, and is one below 0?
+// Have all of its channels a number?
 bool finite(const glm::vec4& v, int components) {
   for (int k = 0; k < components; ++k)
     if (!std::isfinite(v[k])) return false;

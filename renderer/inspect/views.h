@@ -34,7 +34,7 @@ struct ViewSource {
 // The numbers that a view is of, and how they become colours where nobody says otherwise.
 struct ViewValues {
   int components = 3;
-  const char* channels = "rgb";  // a letter each, as files and panels name them; of one component its name
+  const char* channels = "rgb";  // a letter each, as files name them; not of a single number
   double black = 0, white = 1;   // in the view's unit
   bool coded = false;            // with the display's sRGB curve
   bool fitted = false;           // black and white follow what is seen

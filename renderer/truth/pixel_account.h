@@ -20,6 +20,8 @@ struct LightShare {
   double share = 0;           // of the light of all, by luminance
   std::optional<int> shaded;  // how often this method shaded it here; empty: not counted
 };
+inline constexpr size_t kCountedLights = 16;  // in the window: the strongest, one a frame
+
 // "missed", "counted twice", ...; empty: as it should be, or not counted.
 std::string verdict_of(const LightShare&);
 

@@ -102,6 +102,37 @@ TEST_F(PixelAccounts, NamesTheLightsThatAMethodMissesOrCountsTwice) {
   EXPECT_GT(doubled, 0);
 }
 
+// It shades surfaces, hidden ones too: how often says nothing of the pixel.
+TEST_F(PixelAccounts, ForwardShadingIsNotCounted) {
+  Settings s = settings();
+  s.lights.method = LightMethod::forward;
+  s.lights.range_scale = 3;
+  const PixelAccount a = account(s, kSurface);
+  ASSERT_FALSE(a.lights.empty());
+  for (const LightShare& l : a.lights) {
+    EXPECT_FALSE(l.shaded);
+    EXPECT_EQ(verdict_of(l), "");
+  }
+  EXPECT_EQ(a.first_off, -1);
+}
+
+// Numbers of a few pixels, and statistics of all, share a canvas: each answer has the size that was asked.
+TEST_F(PixelAccounts, NumbersKeepTheSizeThatWasAskedFor) {
+  lab_->show("yard", std::make_shared<const Scene>(make_yard()));
+  lab_->draw(settings());
+  const std::vector<glm::vec4> all = lab_->numbers_of(View::normal);
+  lab_->ask_numbers(View::normal, {{3, 4}, {1, 1}, {5, 2}});
+  lab_->ask_stats(View::normal);
+  std::optional<std::vector<glm::vec4>> numbers;
+  for (int k = 0; k < 1000 && !numbers; ++k) {
+    glFinish();
+    numbers = lab_->take_numbers();
+  }
+  ASSERT_TRUE(numbers);
+  ASSERT_EQ(numbers->size(), 10u);
+  for (size_t i = 0; i < 10; ++i) EXPECT_EQ((*numbers)[i], all[(4 + i / 5) * 64 + 3 + i % 5]) << i;
+}
+
 // Counting lights one by one leaves the frame as it was.
 TEST_F(PixelAccounts, TheFrameStaysAsItWas) {
   const Settings s = settings();

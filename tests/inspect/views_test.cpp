@@ -232,6 +232,7 @@ TEST(Legends, CountsFollowTheLargestOfThePicture) {
   EXPECT_EQ(labels(10), "0 1 2 3-5 6-9 10+ ");
   EXPECT_EQ(labels(64), "0 1-2 3-6 7-18 19-49 50+ ");
   EXPECT_EQ(labels(1024), "0 1-5 6-31 32-177 178-999 1000+ ");
+  EXPECT_FALSE(labels(1e30).empty()) << "a position far out: no count, but an end";
 }
 
 TEST(Legends, PositionTellsItsCycleAndPicturesNeedNone) {

@@ -77,7 +77,7 @@ void draw_lines(Painter& p, Shelf& shelf, float px, const std::vector<AccountLin
   }
 }
 
-void draw_lights(Painter& p, Shelf& shelf, float px, const PixelAccount& a, PixelState& state) {
+void draw_lights(Painter& p, Shelf& shelf, float px, const PixelAccount& a, bool in_pixels, PixelState& state) {
   heading(p, shelf, px,
           a.lights.empty() ? "no light reaches it"
                            : fmt::format("{} light{} it, the strongest first", a.lights.size(),
@@ -93,10 +93,11 @@ void draw_lights(Painter& p, Shelf& shelf, float px, const PixelAccount& a, Pixe
              {"shaded by this method", kDim}});
   state.first = std::min(state.first, a.lights.size() - 1);
   state.shown = 0;
+  // Forward shading shades surfaces, hidden ones too: no count of it says more.
   for (size_t i = state.first; i < a.lights.size(); ++i) {
     const LightShare& l = a.lights[i];
     const std::string wrong = verdict_of(l);
-    const std::string shaded = !l.shaded       ? "…"
+    const std::string shaded = !l.shaded       ? (i < kCountedLights && in_pixels ? "…" : "not counted")
                                : wrong.empty() ? fmt::format("{}", *l.shaded)
                                                : fmt::format("{} {} {}", *l.shaded, kUnsoundSign, wrong);
     if (!table.row({{fmt::format("{}", l.index), kText},
@@ -148,7 +149,8 @@ void draw_pixel(FrameContext& f, Painter& p, const Box& box) {
   heading(p, shelf, table, "the sum, term by term");
   draw_lines(p, shelf, table, a->terms, a->first_off);
   shelf.below(small * 0.4f);
-  if (a->surface) draw_lights(p, shelf, table, *a, f.state.of<PixelState>());
+  if (a->surface)
+    draw_lights(p, shelf, table, *a, shading_of(f.stored.lights.method) != Shading::forward, f.state.of<PixelState>());
 }
 
 void scroll_lights(FrameContext& f, const KeyEvent& e) {
