@@ -30,7 +30,7 @@ std::vector<View> wanted_views(const Arguments& a, const Settings& s) {
   std::vector<View> out;
   if (a.only.empty()) {
     for (const ViewRow& v : views())
-      if (!needs_truth(v.view) && why_missing(v.view, s).empty()) out.push_back(v.view);
+      if (*v.key && why_missing(v.view, s).empty()) out.push_back(v.view);
     return out;
   }
   std::istringstream list(a.only);
@@ -101,13 +101,18 @@ std::string in_words(const Settings& s, const FrameReport& r) {
   return text;
 }
 
-ui::Sheet sheet_of(Lab& lab, const std::vector<View>& views_shown) {
+// Overlays are laid over the views that are asked for by name; else over the main one, as in the window.
+bool overlaid(const Arguments& a, const Lab& lab, View v) {
+  return !needs_truth(v) && (!a.only.empty() || lab.is_main(v));
+}
+
+ui::Sheet sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
   ui::Sheet sheet;
   sheet.title = "G-Buffer Lab";
   sheet.caption = in_words(lab.drawn(), lab.report());
   for (const View v : views_shown) {
-    if (!needs_truth(v)) lab.draw_measured_view(v, {.overlays = v == View::final});
-    sheet.tiles.push_back({v, lab.handle_of(v), ""});
+    if (!needs_truth(v)) lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
+    sheet.tiles.push_back({v, lab.handle_of(v), "", overlaid(a, lab, v)});
   }
   return sheet;
 }
@@ -143,7 +148,7 @@ ExitCode run_render(const Arguments& a) {
     if (needs_truth(v))
       draw_against_truth(lab, v);
     else
-      lab.draw_measured_view(v);
+      lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
     writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v));
     if (!a.raw || needs_truth(v)) continue;
     lab.draw_view(v, {.raw = true});
@@ -152,7 +157,7 @@ ExitCode run_render(const Arguments& a) {
   if (a.exr) write_layers(folder / "layers.exr", lab, shown, {{kSettingsKey, state}});
   lab.collect(true);
   if (a.sheet) {
-    writer.write("sheet.png", picture_of(lab, sheet_of(lab, shown)));
+    writer.write("sheet.png", picture_of(lab, sheet_of(a, lab, shown)));
     const Preset* p = preset_of(s);
     write_text_file(folder / "packing.svg", packing_svg(lab.report().drawn, p ? p->id : row(s.layout).id));
   }
@@ -175,7 +180,7 @@ Image first_screen(Lab& lab, Settings s) {
   lab.draw(s);
   lab.count_pairs(true);
   for (const ViewRow& v : views())
-    if (std::string_view(v.key).size() == 1) lab.draw_measured_view(v.view, {.overlays = v.view == View::final});
+    if (std::string_view(v.key).size() == 1) lab.draw_measured_view(v.view, {.overlays = lab.is_main(v.view)});
   lab.collect(true);
   const ui::Input input = ui_input(lab);
   return screen.picture({1600, 900}, [&] { ui.draw(s, input, {}); });

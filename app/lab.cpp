@@ -45,14 +45,20 @@ const std::vector<Light>& Lab::lights() const {
 
 void Lab::draw_view(View view, ViewOptions options) {
   options.stats = meter_.of(view);
+  options.stats_of = [this](View v) { return meter_.of(v); };
   renderer_.draw_view(view, drawn_, *gpu_scene_, targets_, options);
 }
 
+void Lab::measure_now(View view) {
+  if (needs_truth(view) || !why_missing(view, drawn_).empty()) return;
+  ask_stats(view);
+  meter_.take(view, true);
+}
+
 void Lab::draw_measured_view(View view, ViewOptions options) {
-  if (follows_picture(view, drawn_.view)) {
-    ask_stats(view);
-    meter_.take(view, true);
-  }
+  if (follows_picture(view, drawn_.view)) measure_now(view);
+  if (options.overlays)
+    for (const Overlay& o : drawn_.view.overlays) measure_now(view_by_id(o.view).view);
   draw_view(view, options);
 }
 

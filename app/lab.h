@@ -42,6 +42,7 @@ class Lab {
   // With what is known of its numbers: `measured` works that out first, and waits for it.
   void draw_view(View, ViewOptions = {});
   void draw_measured_view(View, ViewOptions = {});
+  bool is_main(View v) const { return drawn_.view.main == row(v).id; }  // what overlays are laid over
   void ask_stats(View v) { meter_.ask(v, renderer_, drawn_, *gpu_scene_, targets_, {}); }
   bool take_stats(View v) { return meter_.take(v, false); }  // true: a new answer
   bool stats_pending(View v) const { return meter_.waiting(v); }
@@ -92,6 +93,8 @@ class Lab {
   ViewMeter meter_;
   gl::AsyncRead numbers_;
   glm::ivec2 numbers_asked_{0};  // how many pixels
+
+  void measure_now(View);
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

@@ -118,29 +118,37 @@ void Viewer::take_stats(const ui::Requests& requests) {
   stats_waiting_ = false;
   for (int v = 0; v < kViewCount; ++v) {
     const View view = static_cast<View>(v);
-    if (lab_.take_stats(view) && follows_picture(view, lab_.drawn().view)) fresh_[v] = false;
-    stats_waiting_ |= requests.visible[v] && lab_.stats_pending(view);
+    const bool over = find_overlay(lab_.drawn().view.overlays, row(view).id) != nullptr;
+    if (lab_.take_stats(view) && follows_picture(view, lab_.drawn().view))
+      fresh_[over ? static_cast<size_t>(view_by_id(lab_.drawn().view.main).view) : static_cast<size_t>(v)] = false;
+    stats_waiting_ |= (requests.visible[v] || over) && lab_.stats_pending(view);
   }
 }
 
+// Once for each frame.
+void Viewer::ask_stats(View view) {
+  if (needs_truth(view) || !why_missing(view, lab_.drawn()).empty()) return;
+  if (std::exchange(asked_stats_[static_cast<size_t>(view)], true)) return;
+  lab_.ask_stats(view);
+  stats_waiting_ = true;
+}
+
 void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
-  const bool overlays_changed = !(drawn_part(s.view) == drawn_part(view_drawn_));
+  const bool overlays_changed = !(drawn_part(s.view) == drawn_part(view_drawn_)) || s.view.main != view_drawn_.main;
   if (all) asked_stats_.fill(false);
   take_stats(requests);
   for (int v = 0; v < kViewCount; ++v) {
     const View view = static_cast<View>(v);
     const bool looks_changed = look_of(s.view.looks, row(view).id) != look_of(view_drawn_.looks, row(view).id);
-    const bool stale = all || !fresh_[v] || looks_changed || (view == View::final && overlays_changed);
+    const bool main = row(view).id == s.view.main, was_main = row(view).id == view_drawn_.main;
+    const bool stale = all || !fresh_[v] || looks_changed || ((main || was_main) && overlays_changed);
     if (needs_truth(view) || !requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
     lab_.look_at(s.view);
-    lab_.draw_view(view, {.overlays = view == View::final});
+    lab_.draw_view(view, {.overlays = main});
     fresh_[v] = true;
-    const bool wanted = follows_picture(view, s.view) || row(view).id == s.view.main;
-    if (wanted && !std::exchange(asked_stats_[v], true)) {
-      lab_.ask_stats(view);
-      stats_waiting_ = true;
-    }
+    if (main || follows_picture(view, s.view)) ask_stats(view);
   }
+  for (const Overlay& o : s.view.overlays) ask_stats(view_by_id(o.view).view);
   draw_truth(s, requests, all);
   view_drawn_ = s.view;
 }

@@ -48,6 +48,7 @@ class Viewer {
   void draw_frame(const Settings&, bool moving);
   void draw_truth(const Settings&, const ui::Requests&, bool all);
   void take_stats(const ui::Requests&);
+  void ask_stats(View);
   void work_out_account(const ui::Requests&);
   void ask_numbers(const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);

@@ -23,6 +23,7 @@ flat out mat3 object_axes;
 #if TRIANGLE_IDS
 flat out uint triangle;  // of the mesh, from 0: its corners are drawn without sharing, in parts
 uniform int first_triangle;
+noperspective out vec2 corner;  // barycentric coordinates: of the second and the third corner
 #endif
 // Passes of other programs test for this very depth.
 invariant gl_Position;
@@ -53,5 +54,6 @@ void main() {
   object_axes = normals;
 #if TRIANGLE_IDS
   triangle = uint(first_triangle + gl_VertexID / 3);
+  corner = vec2(gl_VertexID % 3 == 1, gl_VertexID % 3 == 2);
 #endif
 }

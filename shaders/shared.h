@@ -47,6 +47,12 @@
 #define VIEW_AS_STORED 1
 #define VIEW_AS_NUMBERS 2
 #define VIEW_AS_LOOK 3
+#define VIEW_AS_OVERLAY 4
+
+// What redrawn.frag draws of the objects.
+#define REDRAWN_WRITTEN 0
+#define REDRAWN_TRIANGLES 1
+#define REDRAWN_CULLED 2
 
 // Blocks of pixels summed by one texel of the count reduction: 16 x 16 x 16384 lights < 2^24 is exact in float.
 #define COUNT_BLOCK 16

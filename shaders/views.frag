@@ -7,6 +7,9 @@
 
 uniform sampler2D lit;
 uniform sampler2D counts;         // pairs tested, shaded, in range
+uniform sampler2D counts_lit;     // lights whose range reaches the surface
+uniform sampler2D redrawn_counts;     // fragments written, culled faces in front
+uniform sampler2D redrawn_triangles;  // of the seen one: area in pixels, edge, turned away
 uniform usampler2D ids;           // numbers of the objects, from 1
 #if SPLIT
 uniform sampler2D light_diffuse;
@@ -19,6 +22,8 @@ uniform vec3 empty_colour;        // where no surface is
 uniform vec2 black_and_white;     // in the view's unit
 uniform int count_from[6];        // the number from which each colour stands
 uniform vec3 count_palette[6];
+uniform vec3 class_colours[6];
+uniform vec2 cells_per_pixel;     // of tiles or clusters
 layout(location = 0) out vec4 picture;
 
 // Views show where the depth says a surface is, whatever the lighting takes for one.
@@ -32,6 +37,16 @@ vec3 colour_of_count(float count) {
   int colour = 0;
   for (int i = 1; i < 6; ++i) colour += int(count) >= count_from[i] ? 1 : 0;
   return count_palette[colour];
+}
+
+vec3 colour_of_class(int number) { return class_colours[clamp(number, 0, 5)]; }
+
+uint object_at(ivec2 texel) {
+#ifdef STORED_ID
+  return texelFetch(gbuffer_id, texel, 0).r;
+#else
+  return texelFetch(ids, texel, 0).r;
+#endif
 }
 
 // What stands for codes that are not stored.
@@ -94,6 +109,23 @@ void main() {
 #else
   picture = on_surfaces(texel, colour);
 #endif
+}
+#elif VIEW_AS == VIEW_AS_OVERLAY
+uniform float opacity;
+// How much of a pixel an overlay covers: all of what it marks, else every surface. A view's file may say it otherwise.
+#ifndef COVERS
+#define COVERS(v) (v.x != 0.0 ? 1.0 : 0.0)
+#endif
+void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  bool there = BACKGROUND_TOO == 1 || read_depth(texel) != kFarDepth;
+#if VIEW_MARKS
+  vec3 marked = value(texel);
+  float covers = COVERS(marked);
+#else
+  float covers = 1.0;
+#endif
+  picture = vec4(shown(texel).rgb, there ? covers * opacity : 0.0);
 }
 #elif VIEW_AS == VIEW_AS_STORED
 void main() { picture = raw(ivec2(gl_FragCoord.xy)); }

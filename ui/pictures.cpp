@@ -125,6 +125,7 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   look.px = v == f.layout.main ? f.type.body : f.type.small;
   look.words = !f.state.hidden;
   look.zoom = zoom_of(f, v);
+  if (v == f.chosen()) look.overlays = overlay_legends(v, f.stored, f.input);
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
   draw_view_panel(f.painter, panel, v, image, f.stored, legend_now(v, f.stored, f.input), look);
   if (f.requests.visible[static_cast<size_t>(v)]) draw_pixel_grid(f, v, picture_box(panel, image.size));

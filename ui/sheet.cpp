@@ -67,6 +67,7 @@ void draw_sheet(const Sheet& sheet, const Settings& s, const Input& in) {
     const Box panel{min, {min.x + sheet.tile_width, min.y + l.picture}};
     PanelLook look;
     look.px = l.type.small;
+    if (tile.overlaid) look.overlays = overlay_legends(tile.view, s, in);
     draw_view_panel(p, panel, tile.view, tile.image, s, legend_now(tile.view, s, in), look);
     p.text_in({{min.x, panel.max.y + 4}, {panel.max.x, panel.max.y + l.caption}}, l.type.body, kText, tile.caption,
               true);

@@ -117,7 +117,8 @@ void draw_start(const std::string& line);
 struct SheetTile {
   View view;
   ViewImage image;
-  std::string caption;  // below the picture; may be empty
+  std::string caption;    // below the picture; may be empty
+  bool overlaid = false;  // what settings.view.overlays names is laid over it
 };
 struct Sheet {
   std::string title;    // first line

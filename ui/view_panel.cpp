@@ -82,6 +82,8 @@ void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& imag
     const Box room = panel.inset(look.chosen ? thickness * 2 - 2 : 0);
     draw_badge(p, room, view, why.empty() ? stored_as(v, s) : "", look);
     draw_legend(p, room, legend, look.px);
+    const float below_badge = room.min.y + 6 + std::round(look.px * 1.28f);
+    if (why.empty()) draw_overlay_legends(p, room, below_badge, look.overlays, look.px);
   }
   p.list().PopClipRect();
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "renderer/inspect/views.h"
+#include "ui/overlay_legends.h"
 #include "ui/text.h"
 #include "ui/ui.h"
 #include "ui/zoom.h"
@@ -16,6 +17,7 @@ struct PanelLook {
   bool words = true;      // badge and legend; without: the picture and its frame
   bool chosen = false;
   Zoom zoom;
+  std::vector<OverlayLegend> overlays;  // of what is laid over it
 };
 
 // The legend of a view as it is drawn now: the error's bar depends on what was found.

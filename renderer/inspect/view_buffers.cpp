@@ -51,6 +51,9 @@ ViewSource in_ids(const Settings& s) {
   return {{}, "drawn apart, R32UI 4 B"};
 }
 
+ViewSource in_redrawn(const Settings&) { return {{}, "drawn apart, RGBA32F 16 B"}; }
+ViewSource in_no_buffer(const Settings&) { return {{}, "drawn as it is"}; }
+
 ViewSource in_reference(const Settings&) { return {{}, "worked out on the CPU, double"}; }
 
 ViewSource in_comparison(const Settings& s) {
@@ -99,6 +102,16 @@ std::string ambient_missing(const Settings& s) {
 std::string exponent_missing(const Settings& s) {
   return unless_kept(s, facts(s.layout).keeps.exponent,
                      "stores no exponent: it follows from the roughness, or is one for all");
+}
+
+std::string pixel_pairs_missing(const Settings& s) {
+  if (shading_of(s.lights.method) != Shading::forward) return {};
+  return "forward shading counts surfaces, hidden ones too: its count of a pixel says nothing of the one that is seen";
+}
+
+std::string cells_missing(const Settings& s) {
+  if (s.lights.method == LightMethod::tiled || s.lights.method == LightMethod::clustered) return {};
+  return fmt::format("the method '{}' has neither tiles nor clusters", row(s.lights.method).label);
 }
 
 std::string split_light_missing(const Settings& s) {

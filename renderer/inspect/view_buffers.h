@@ -17,6 +17,8 @@ ViewSource in_attachment(const Settings& s) {
 ViewSource in_layouts_attachment(const Settings&);  // where the layout keeps what key 5 shows
 ViewSource in_counter(const Settings&);
 ViewSource in_ids(const Settings&);
+ViewSource in_redrawn(const Settings&);
+ViewSource in_no_buffer(const Settings&);
 ViewSource in_reference(const Settings&);
 ViewSource in_comparison(const Settings&);
 
@@ -30,6 +32,8 @@ std::string emission_missing(const Settings&);
 std::string occlusion_missing(const Settings&);
 std::string ambient_missing(const Settings&);
 std::string exponent_missing(const Settings&);
+std::string pixel_pairs_missing(const Settings&);
+std::string cells_missing(const Settings&);
 std::string split_light_missing(const Settings&);
 std::string error_missing(const Settings&);
 

@@ -137,6 +137,12 @@ Legend count_legend(const LegendOf& of) {
   return counts;
 }
 
+Legend class_legend(std::span<const ViewClass> classes) {
+  Legend out;
+  for (const ViewClass& c : classes) out.entries.push_back({c.label, c.colour});
+  return out;
+}
+
 Legend position_legend(const LegendOf& of) {
   return {false,
           {{"red: x", {1, 0, 0}},

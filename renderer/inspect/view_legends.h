@@ -2,6 +2,7 @@
 // Legends: what a view's colours mean. Drawn by panels and sheets alike.
 #include <array>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ namespace gbl {
 struct LegendEntry {
   std::string label;
   glm::vec3 colour;  // display-coded
+};
+// A kind of pixel: 0 is what a view that marks leaves alone.
+struct ViewClass {
+  const char* label;
+  glm::vec3 colour;
 };
 struct Legend {
   bool bar = false;  // a continuous bar between entries at equal steps, else swatches
@@ -61,5 +67,28 @@ inline constexpr int kLightCountColours = 6;
 using CountSteps = std::array<int, kLightCountColours>;
 CountSteps count_steps(const ViewStats*);
 extern const glm::vec3 kLightCountPalette[kLightCountColours];
+
+// Okabe and Ito 2008, "Color Universal Design": told apart by those who see red and green alike.
+inline constexpr glm::vec3 kMarkBlue{0.0f, 0.45f, 0.70f}, kMarkSky{0.34f, 0.71f, 0.91f}, kMarkGreen{0.0f, 0.62f, 0.45f},
+    kMarkYellow{0.94f, 0.89f, 0.26f}, kMarkOrange{0.90f, 0.62f, 0.0f}, kMarkRed{0.84f, 0.37f, 0.0f},
+    kMarkPink{0.80f, 0.47f, 0.65f};
+inline constexpr int kMostClasses = 6;
+inline constexpr ViewClass kFootprintClasses[] = {{"outside", kNoLight},
+                                                  {"covered, out of range", kMarkYellow},
+                                                  {"lit", kMarkGreen},
+                                                  {"missed", kMarkPink},
+                                                  {"too often", kMarkBlue}};
+inline constexpr ViewClass kMiscountClasses[] = {
+    {"as it should be", kNoLight}, {"missed", kMarkPink}, {"too often", kMarkBlue}};
+inline constexpr ViewClass kTriangleClasses[] = {
+    {"256+ px", {0.04f, 0.04f, 0.06f}}, {"64+", {0.16f, 0.22f, 0.62f}}, {"16+", {0.05f, 0.46f, 0.55f}},
+    {"4+", {0.30f, 0.68f, 0.25f}},      {"1+", {0.98f, 0.76f, 0.15f}},  {"below 1", {1.00f, 1.00f, 1.00f}}};
+inline constexpr ViewClass kCheckClasses[] = {{"sound", kNoLight},
+                                              {"above white", kMarkSky},
+                                              {"normal off length 1", kMarkOrange},
+                                              {"below 0", kMarkBlue},
+                                              {"no number", {1.0f, 0.0f, 1.0f}}};
+// The swatches of a view's classes.
+Legend class_legend(std::span<const ViewClass>);
 
 }  // namespace gbl

@@ -71,6 +71,7 @@ ViewStats view_stats(std::span<const glm::vec4> values, int components) {
     }
     const glm::dvec3 x(v);
     if (finite_pixels++ == 0) s.min = s.max = x;
+    if (x.x >= 0 && x.x < 7.5) ++s.whole[static_cast<size_t>(x.x + 0.5)];
     s.min = glm::min(s.min, x), s.max = glm::max(s.max, x), sum += x;
     bool below = false;
     for (int k = 0; k < components; ++k) below |= v[k] < 0;

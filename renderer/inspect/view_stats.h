@@ -25,6 +25,8 @@ struct ViewStats {
   glm::dvec3 min{0}, max{0}, mean{0};                 // of the finite numbers
   glm::dvec2 binned{0, 1};                            // what the histogram spans: least to largest number
   std::array<std::array<uint32_t, kBins>, 3> bins{};  // pixels by channel
+  std::array<size_t, 8> whole{};                      // pixels whose first number rounds to 0 … 7
+  double marked() const { return pixels == 0 ? 0 : 1 - double(whole[0]) / double(pixels); }  // share that is not 0
   double largest() const { return std::max({max.x, max.y, max.z}); }
 };
 // values: xyz, and w > 0.5 where a pixel has numbers.

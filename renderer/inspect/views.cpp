@@ -47,7 +47,7 @@ bool single_number(View v, const ViewLook& look) {
 
 bool follows_picture(View v, const Settings::View& view) {
   const ViewRow& r = row(v);
-  return r.counted || r.values.fitted || look_of(view.looks, r.id).fit;
+  return r.legend == count_legend || r.values.fitted || look_of(view.looks, r.id).fit;
 }
 
 glm::dvec2 shown_range(View v, const Settings& s, const Bounds& bounds, const ViewStats* stats) {
@@ -64,6 +64,7 @@ Legend legend(View v, const Settings& s, const Bounds& bounds, const ViewStats* 
   const ViewLook look = look_of(s.view.looks, row(v).id);
   const LegendOf of{s, bounds, shown_range(v, s, bounds, stats), stats};
   if (!look.plain()) return look_legend(of, look, single_number(v, look));
+  if (!row(v).classes.empty()) return class_legend(row(v).classes);
   return row(v).legend ? row(v).legend(of) : Legend{};
 }
 

@@ -58,8 +58,13 @@ struct ViewRow {
   const char* mistake;     // the usual one
   // How it is made:
   bool counted = false;      // a count of pairs, made only while somebody looks
+  bool against_lit = false;  // it compares them with the pairs that are lit, which is a loop over all lights
+  bool picked = false;       // its counts are of the picked light alone
   bool numbered = false;     // it reads the objects' numbers, which are drawn apart while somebody looks
+  bool redrawn = false;      // objects are drawn once more to be counted and measured while somebody looks
+  bool marks = false;        // it marks pixels and leaves others alone: made to be laid over other views
   bool needs_truth = false;  // the reference, which takes a second or more and is made only while somebody looks
+  std::span<const ViewClass> classes = {};  // by number, where a number stands for a kind of pixel
   ViewValues values = {};
   ViewSource (*stored_as)(const Settings&);
   std::string (*why_missing)(const Settings&) = nullptr;  // null: always there

@@ -107,16 +107,20 @@ double checked_exponent(const Option& o, const OptionValue& v) {
   return kExponentFromRoughness;
 }
 
-std::string checked_view(const Option& o, const OptionValue& v) {
-  const std::span<const ValueRow> views = rows<View>();
-  return views[static_cast<size_t>(parse_id(views, checked_text(o, v), "view", "view"))].id;
-}
-
-OptionList list_of(const Looks& looks) {
+// Of things that are written as VIEW:...
+template <class T>
+OptionList list_of(const std::vector<T>& of_views) {
   OptionList out;
-  for (const LookOf& l : looks) out.emplace_back(text_of(l));
+  for (const T& one : of_views) out.emplace_back(text_of(one));
   return out;
 }
+
+std::string known_view(const Option& o, std::string_view id) {
+  const std::span<const ValueRow> views = rows<View>();
+  return views[static_cast<size_t>(parse_id(views, id, o.path, "view"))].id;
+}
+
+std::string checked_view(const Option& o, const OptionValue& v) { return known_view(o, checked_text(o, v)); }
 
 Looks checked_looks(const Option& o, const OptionValue& v) {
   const auto* list = std::get_if<OptionList>(&v);
@@ -124,8 +128,18 @@ Looks checked_looks(const Option& o, const OptionValue& v) {
   Looks out;
   for (const OptionValue& part : *list) {
     LookOf l = parse_look(checked_text(o, part), o.path);
-    const std::span<const ValueRow> views = rows<View>();
-    set_look(out, views[static_cast<size_t>(parse_id(views, l.view, o.path, "view"))].id, std::move(l.look));
+    set_look(out, known_view(o, l.view), std::move(l.look));
+  }
+  return out;
+}
+
+Overlays checked_overlays(const Option& o, const OptionValue& v) {
+  const auto* list = std::get_if<OptionList>(&v);
+  if (!list) bad_value(o, v, "an array of overlays");
+  Overlays out;
+  for (const OptionValue& part : *list) {
+    const Overlay one = parse_overlay(checked_text(o, part), o.path);
+    set_overlay(out, known_view(o, one.view), one.opacity);
   }
   return out;
 }
@@ -232,6 +246,7 @@ const Option kOptions[] = {
   {.path = "view.zoom", .group = Group::view, .label = "Zoom", .help = "of every panel; 1 = the whole picture", NUMBER(view.zoom, 1, 16384)},
   {.path = "view.centre", .group = Group::view, .label = "Centre", .help = "of what a panel shows, 0..1 across the picture from its top left", .kind = Kind::vector, .min = 0, .max = 1, .get = GET(OptionList({s.view.centre.x, s.view.centre.y})), .set = SET(s.view.centre = checked_pair(o, v))},
   {.path = "view.looks", .group = Group::view, .label = "Looks", .help = "how views turn numbers into colours: VIEW:BLACK..WHITE or :fit, :CHANNELS, :MAP, :srgb or :linear", .kind = Kind::set, .get = GET(list_of(s.view.looks)), .set = SET(s.view.looks = checked_looks(o, v))},
+  {.path = "view.overlays", .group = Group::view, .label = "Overlays", .help = "views laid over the main view, each as VIEW or VIEW:OPACITY, from the lowest to the topmost", .kind = Kind::set, .get = GET(list_of(s.view.overlays)), .set = SET(s.view.overlays = checked_overlays(o, v))},
 };
 // clang-format on
 #undef TEXT

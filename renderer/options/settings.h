@@ -12,6 +12,7 @@
 #include "renderer/light/light_axes.h"
 #include "renderer/light/light_methods.h"
 #include "renderer/options/axes.h"
+#include "renderer/options/overlays.h"
 #include "renderer/options/view_look.h"
 #include "renderer/pitfalls/mistakes.h"
 #include "renderer/scene/camera.h"
@@ -118,6 +119,7 @@ struct Settings {
     double zoom = 1;              // of every panel; 1: the whole picture
     glm::dvec2 centre{0.5, 0.5};  // of what a panel shows, 0..1 across the picture, origin top left
     Looks looks;                  // of views that are not shown as they show themselves
+    Overlays overlays;            // views laid over the one that is looked at
     bool operator==(const View&) const = default;
   } view;
 

@@ -25,7 +25,8 @@ void Canvases::forget(glm::ivec2 new_size) {
   counts_with_depth_ = {}, counts_depth_ = {};
   if (size_ == new_size) return;
   for (auto& v : views_) v.reset();
-  for (auto* c : {&counts_lit_, &count_sums_, &unblurred_, &errors_}) c->reset();
+  for (auto* c : {&counts_lit_, &count_sums_, &unblurred_, &errors_, &redrawn_counts_, &redrawn_triangles_}) c->reset();
+  redrawn_depth_ = {};
   size_ = new_size;
 }
 
@@ -71,6 +72,18 @@ const gl::Framebuffer& Canvases::counts_with_depth(const FrameTextures& frame) {
         gl::make_framebuffer({.colours = {&counts(frame).texture}, .depth = &counts_depth_, .label = "counts"});
   }
   return counts_with_depth_;
+}
+const gl::Texture& Canvases::redrawn_depth() {
+  if (!redrawn_depth_.name)
+    redrawn_depth_ = gl::make_texture({.size = size_, .format = Format::d32f, .label = "redrawn.depth"});
+  return redrawn_depth_;
+}
+Canvas& Canvases::redrawn_counts() {
+  return made(redrawn_counts_, {.size = size_, .format = Format::rgba32f, .label = "redrawn.counts"}, &redrawn_depth());
+}
+Canvas& Canvases::redrawn_triangles() {
+  return made(redrawn_triangles_, {.size = size_, .format = Format::rgba32f, .label = "redrawn.triangles"},
+              &redrawn_depth());
 }
 Canvas& Canvases::unblurred() {
   return made(unblurred_, {.size = size_, .format = Format::rgba32f, .label = "unblurred"});

@@ -14,7 +14,7 @@ class Canvases {
  public:
   // The frame's textures were remade: some of these share its depth, all have its size.
   void forget(glm::ivec2 new_size);
-  void next_frame() { composed_valid = counts_valid = counts_lit_valid = ids_valid = false; }
+  void next_frame() { composed_valid = counts_valid = counts_lit_valid = ids_valid = redrawn_valid = false; }
 
   Canvas& view(View);                    // RGBA8
   void show_squares(bool);               // their pixels, where they are magnified; else smooth
@@ -28,6 +28,9 @@ class Canvases {
   Canvas& counts(const FrameTextures&);
   const gl::Framebuffer& counts_with_depth(const FrameTextures&);
   Canvas& counts_lit();
+  // RGBA32F, of objects that are drawn once more (redrawn.cpp), each with the same depth of its own
+  Canvas& redrawn_counts();
+  Canvas& redrawn_triangles();
   Canvas& unblurred();                // RGBA32F: `lit` before its edges are blurred
   Canvas& ids(const FrameTextures&);  // R32UI with the frame's depth: number of the object, from 1
   Canvas& count_sums();               // the reduction
@@ -41,14 +44,16 @@ class Canvases {
   const Canvas& numbers() const { return *numbers_; }
 
   // Of the frame drawn last:
-  bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false;
+  bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false, redrawn_valid = false;
 
  private:
   glm::ivec2 size_{0};
   std::array<std::optional<Canvas>, kViewCount> views_;
+  std::optional<Canvas> redrawn_counts_, redrawn_triangles_;
   std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_, numbers_;
   bool squares_ = false;
-  gl::Texture counts_depth_, composed_depth_;
+  const gl::Texture& redrawn_depth();
+  gl::Texture counts_depth_, composed_depth_, redrawn_depth_;
   gl::Framebuffer counts_with_depth_;
 };
 

@@ -1,4 +1,5 @@
 // Counting pairs: variants of their own, so that what is timed is not slowed.
+#include <algorithm>
 #include <bit>
 
 #include "renderer/passes/frame_block.h"
@@ -54,21 +55,53 @@ std::vector<int> Renderer::times_shaded(const std::vector<int>& lights, glm::ive
   return times;
 }
 
+namespace {
+
+void draw_counts_lit(Frame& frame) {
+  begin_drawing(frame.targets().canvases.counts_lit().framebuffer, frame.settings.size, {});
+  bind_gbuffer(frame);
+  bind_lights(frame);
+  glUseProgram(frame.programs.get("fullscreen.vert", "count_lit.frag", frame.defines()).id());
+  frame.shapes.draw_fullscreen();
+}
+
+}  // namespace
+
+void Renderer::count_picked(const Settings& s, const GpuScene& scene, Targets& targets) {
+  const int total = targets.drawn->light_total;
+  Settings alone = s;
+  if (total > 0)
+    alone.lights.only = std::min(s.view.pick, total - 1);
+  else
+    alone.lights.first = 0;
+  Frame frame = frame_of(alone, scene, targets);
+  bring_lights(frame);
+  draw_counts(frame);
+  draw_counts_lit(frame);
+  Frame all = frame_of(s, scene, targets);
+  bring_lights(all);
+  targets.canvases.counts_valid = targets.canvases.counts_lit_valid = false;
+}
+
+void Renderer::count_for(View view, const Settings& s, const GpuScene& scene, Targets& targets) {
+  const ViewRow& r = row(view);
+  if (!r.counted) return;
+  const Canvases& c = targets.canvases;
+  if (r.picked)
+    count_picked(s, scene, targets);
+  else if (!c.counts_valid || (r.against_lit && !c.counts_lit_valid))
+    count_pairs(s, scene, targets, r.against_lit);
+}
+
 void Renderer::count_pairs(const Settings& s, const GpuScene& scene, Targets& targets, bool lit_too) {
   Frame frame = frame_of(s, scene, targets);
   Canvases& canvases = targets.canvases;
   const gl::PassScope scope(targets.timers, "count");
   draw_counts(frame);
-  begin_drawing(canvases.counts_lit().framebuffer, s.size, {});
-  if (lit_too) {
-    bind_gbuffer(frame);
-    bind_lights(frame);
-    glUseProgram(programs_.get("fullscreen.vert", "count_lit.frag", frame.defines()).id());
-    shapes_.draw_fullscreen();
-  } else {
-    constexpr float kZero[4] = {};
-    glClearBufferfv(GL_COLOR, 0, kZero);
-  }
+  if (lit_too)
+    draw_counts_lit(frame);
+  else
+    clear_counts(canvases.counts_lit().framebuffer);
   Canvas& sums = canvases.count_sums();
   begin_drawing(sums.framebuffer, sums.texture.size, {});
   gl::bind_texture("counts", canvases.counts().texture);

@@ -1,5 +1,6 @@
 #pragma once
 // The way of one frame: settings -> geometry -> lighting -> combine -> views. Owns the order of passes, nothing else.
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -48,9 +49,10 @@ class Frame {
 struct TruthTextures;
 
 struct ViewOptions {
-  bool raw = false;                      // stored codes, undecoded
-  const ViewStats* stats = nullptr;      // of what is seen, where the view's colours follow it; null: its own range
-  bool overlays = false;                 // wires of light volumes as settings.view.volumes says
+  bool raw = false;                  // stored codes, undecoded
+  const ViewStats* stats = nullptr;  // of what is seen, where the view's colours follow it; null: its own range
+  std::function<const ViewStats*(View)> stats_of = {};  // of the overlays; empty: none is known
+  bool overlays = false;                 // what settings.view lays over it: views, wires of light volumes, an outline
   const TruthTextures* truth = nullptr;  // of the views that need it
   double error_range = 1;                // where the error's colour bar ends
 };
@@ -94,6 +96,11 @@ class Renderer {
   // With its facts uploaded: views, counts and probes may follow a frame of other settings on the same device, so each
   // of them uploads anew, a few hundred bytes.
   Frame frame_of(const Settings&, const GpuScene&, Targets&);
+  // What the view counts, counted if nobody has yet.
+  void count_for(View, const Settings&, const GpuScene&, Targets&);
+  void count_picked(const Settings&, const GpuScene&,
+                    Targets&);  // pairs of the picked light, into counts and counts_lit
+  void draw_overlays(View under, const Settings&, const GpuScene&, Targets&, const ViewOptions&, Canvas& into);
   Resolver resolver_;
   ProgramCache programs_;
   Shapes shapes_;

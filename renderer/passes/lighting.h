@@ -22,6 +22,8 @@ int draw_tiled_lights(const LightingPass&);
 void prepare_clusters(Frame&);
 int draw_clustered_lights(const LightingPass&);
 
+inline constexpr int kTile = 16;  // pixels a side
+
 struct MethodRow {
   LightMethod method;
   int (*draw)(const LightingPass&);   // framebuffer bound and cleared, blending on; -> draw calls

@@ -6,8 +6,6 @@
 namespace gbl {
 namespace {
 
-constexpr int kTile = 16;
-
 std::vector<const gl::Texture*> images_of(const LightingPass& pass) {
   const FrameTextures& t = pass.frame.targets().frame;
   switch (pass.output) {

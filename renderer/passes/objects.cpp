@@ -111,7 +111,7 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
   const size_t triangles = frame.scene.scene().meshes[static_cast<size_t>(draw.batch->mesh)].indices.size() / 3;
   for (size_t first = 0; first < triangles; first += GpuScene::kPart) {
     const GpuScene::GpuMesh part = frame.scene.unshared_part(draw.batch->mesh, first);
-    glUniform1i(program.uniform("first_triangle"), static_cast<GLint>(first));
+    glUniform1i(program.find_uniform("first_triangle"), static_cast<GLint>(first));
     glBindVertexArray(part.vertex_array.id());
     glDrawArraysInstanced(GL_TRIANGLES, 0, part.index_count, draw.count);
     if (triangles > GpuScene::kPart) glFinish();  // a driver that lags behind would hold all parts at once
@@ -146,11 +146,12 @@ std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
 
 int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment,
                  const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms,
-                 Corners corners) {
+                 Corners corners, ObjectFaces faces) {
   if (draws.empty()) return 0;
   gl::bind_texture("instance_data", frame.targets().uploads.instance_data);
   for (const ObjectDraw& draw : draws) {
     const Material& material = material_of(frame, *draw.batch);
+    if (faces == ObjectFaces::culled && material.double_sided) continue;
     gl::Defines all = defines;
     for (gl::Define& d : material_defines(frame.settings, material)) all.push_back(std::move(d));
     const gl::Program& program = frame.programs.get("object.vert", fragment, all);
@@ -158,7 +159,9 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     bind_material(frame, program, material);
     if (set_uniforms) set_uniforms(program);
     glUniform1i(program.uniform("first_instance"), draw.first);
-    gl::apply_cull(material.double_sided ? gl::Cull::off : gl::Cull::back);
+    gl::apply_cull(faces == ObjectFaces::culled ? gl::Cull::front
+                   : material.double_sided      ? gl::Cull::off
+                                                : gl::Cull::back);
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
     if (corners == Corners::numbered) {
       draw_numbered(frame, draw, program);

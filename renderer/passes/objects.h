@@ -19,10 +19,13 @@ std::vector<ObjectDraw> prepare_objects(Frame&, bool transparent);
 
 // How corners reach the vertex shader: shared by indices, or one by one, which numbers the triangles (TRIANGLE_IDS).
 enum class Corners { shared, numbered };
+// Which faces of single-sided materials are drawn: those that the geometry pass keeps, or those that it culls, alone.
+enum class ObjectFaces { kept, culled };
 
 // Draw with the given fragment shader; defines of the material are added; `set_uniforms` sets what else the shader
 // reads. -> draw calls
 int draw_objects(const Frame&, const std::vector<ObjectDraw>&, const char* fragment, const gl::Defines&,
-                 const std::function<void(const gl::Program&)>& set_uniforms = {}, Corners = Corners::shared);
+                 const std::function<void(const gl::Program&)>& set_uniforms = {}, Corners = Corners::shared,
+                 ObjectFaces = ObjectFaces::kept);
 
 }  // namespace gbl

@@ -39,8 +39,9 @@ int draw_materials_over_light(Frame&);
 int draw_transparent(Frame&);
 int draw_edge_blur(Frame&);
 void draw_volume_wires(const Frame&, Canvas& into);
-void draw_ids(Frame&);                                                       // into targets.ids(), once per frame drawn
-void draw_outline(Frame&, Canvas& into);                                     // of settings.view.object
+void draw_ids(Frame&);                    // into targets.ids(), once per frame drawn
+void draw_redrawn(Frame&);                // into targets.redrawn_…, once per frame drawn
+void draw_outline(Frame&, Canvas& into);  // of settings.view.object
 void draw_truth_view(const Frame&, View, const ViewOptions&, Canvas& into);  // of reference and error
 void draw_truth_numbers(const Frame&, View, const ViewOptions&, const PixelGrid&, Canvas& into);
 void set_pixel_grid(const gl::Program&, glm::ivec2 size, const PixelGrid&);  // of a picture of this size

@@ -2,10 +2,12 @@
 #include "renderer/inspect/views.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/options/view_look.h"
 #include "renderer/passes/frame_block.h"
+#include "renderer/passes/lighting.h"
 #include "renderer/passes/volumes.h"
 
 namespace gbl {
@@ -47,11 +49,17 @@ namespace {
 void bind_view(Frame& frame, View view) {
   Canvases& canvases = frame.targets().canvases;
   if (row(view).numbered && !frame.targets().frame.texture(Stores::id)) draw_ids(frame);
+  if (row(view).redrawn) draw_redrawn(frame);
   bind_gbuffer(frame);
   bind_light_sums(frame);
   gl::bind_texture("lit",
                    row(view).with_transparent ? canvases.shown(frame.targets().frame) : frame.texture(Stores::lit));
   if (counted(view)) gl::bind_texture("counts", canvases.counts().texture);
+  if (row(view).against_lit) gl::bind_texture("counts_lit", canvases.counts_lit().texture);
+  if (row(view).redrawn) {
+    gl::bind_texture("redrawn_counts", canvases.redrawn_counts().texture);
+    gl::bind_texture("redrawn_triangles", canvases.redrawn_triangles().texture);
+  }
   if (canvases.ids_valid) gl::bind_texture("ids", canvases.ids().texture);
 }
 
@@ -61,10 +69,26 @@ gl::Defines view_defines(const Frame& frame, View view, int as) {
   defines.push_back({"VIEW_FILE", shader_of(view)});
   defines.push_back({"VIEW_AS", as});
   defines.push_back({"BACKGROUND_TOO", row(view).values.background});
+  defines.push_back({"VIEW_MARKS", row(view).marks});
   return defines;
 }
 
-void set_colours(const gl::Program& program, View view, const glm::dvec2& range, const ViewStats* stats) {
+// Of tiles or clusters; the others have one cell for the whole picture.
+glm::vec2 cells_per_pixel(const Frame& frame) {
+  switch (frame.settings.lights.method) {
+    case LightMethod::tiled: return glm::vec2(1.0f / kTile);
+    case LightMethod::clustered: return glm::vec2(kClusters) / glm::vec2(frame.settings.size);
+    default: return glm::vec2(0);
+  }
+}
+
+void set_colours(const Frame& frame, const gl::Program& program, View view, const glm::dvec2& range,
+                 const ViewStats* stats) {
+  std::array<glm::vec3, kMostClasses> colours{};
+  for (size_t i = 0; i < row(view).classes.size(); ++i) colours[i] = row(view).classes[i].colour;
+  const glm::vec2 cells = cells_per_pixel(frame);
+  glUniform2f(program.find_uniform("cells_per_pixel"), cells.x, cells.y);
+  glUniform3fv(program.find_uniform("class_colours"), kMostClasses, glm::value_ptr(colours[0]));
   const CountSteps from = count_steps(stats);
   glUniform3fv(program.find_uniform("empty_colour"), 1, glm::value_ptr(row(view).empty_colour));
   glUniform2f(program.find_uniform("black_and_white"), static_cast<float>(range.x), static_cast<float>(range.y));
@@ -104,7 +128,7 @@ void set_pixel_grid(const gl::Program& program, glm::ivec2 size, const PixelGrid
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
-  if (counted(view) && !targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
+  count_for(view, s, scene, targets);
   Frame frame = frame_of(s, scene, targets);
   if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.canvases.view(view));
   Canvas& canvas = targets.canvases.view(view);
@@ -115,23 +139,44 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   const gl::Program& program = options.raw    ? use_view(frame, view, VIEW_AS_STORED)
                                : look.plain() ? use_view(frame, view, VIEW_AS_SHOWN)
                                               : use_look(frame, view, look);
-  set_colours(program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
+  set_colours(frame, program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
   shapes_.draw_fullscreen();
-  if (options.overlays) {
-    draw_volume_wires(frame, canvas);
-    draw_outline(frame, canvas);
+  if (options.overlays) draw_overlays(view, s, scene, targets, options, canvas);
+}
+
+// The topmost last; then the wires and the outline, which cover little.
+void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scene, Targets& targets,
+                             const ViewOptions& options, Canvas& into) {
+  for (const Overlay& o : s.view.overlays) {
+    const View view = view_by_id(o.view).view;
+    if (view == under || needs_truth(view) || !why_missing(view, targets.drawn->settings).empty()) continue;
+    count_for(view, s, scene, targets);
+    Frame frame = frame_of(s, scene, targets);
+    bind_view(frame, view);
+    begin_drawing(into.framebuffer, s.size, {.blend = gl::Blend::alpha});
+    const gl::Program& program = use_view(frame, view, VIEW_AS_OVERLAY);
+    const ViewStats* stats = options.stats_of ? options.stats_of(view) : nullptr;
+    set_colours(frame, program, view, shown_range(view, s, scene.scene().bounds, stats), stats);
+    glUniform1f(program.uniform("opacity"), static_cast<float>(o.opacity));
+    shapes_.draw_fullscreen();
   }
+  Frame frame = frame_of(s, scene, targets);
+  draw_volume_wires(frame, into);
+  draw_outline(frame, into);
 }
 
 void Renderer::draw_numbers(View view, const Settings& s, const GpuScene& scene, Targets& targets,
                             const PixelGrid& pixels, ViewOptions options) {
-  if (counted(view) && !targets.canvases.counts_valid) count_pairs(s, scene, targets, false);
+  count_for(view, s, scene, targets);
   Frame frame = frame_of(s, scene, targets);
   Canvas& canvas = targets.canvases.numbers(pixels.count);
   if (needs_truth(view)) return draw_truth_numbers(frame, view, options, pixels, canvas);
   bind_view(frame, view);
   begin_drawing(canvas.framebuffer, pixels.count, {});
-  set_pixel_grid(use_view(frame, view, VIEW_AS_NUMBERS), s.size, pixels);
+  const gl::Program& program = use_view(frame, view, VIEW_AS_NUMBERS);
+  set_pixel_grid(program, s.size, pixels);
+  const glm::vec2 cells = cells_per_pixel(frame);
+  glUniform2f(program.find_uniform("cells_per_pixel"), cells.x, cells.y);
   shapes_.draw_fullscreen();
 }
 

@@ -1,11 +1,5 @@
 // A colour for each number: its hash (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", pcg), never dark.
-vec3 value(ivec2 texel) {
-#ifdef STORED_ID
-  return vec3(texelFetch(gbuffer_id, texel, 0).r);
-#else
-  return vec3(texelFetch(ids, texel, 0).r);
-#endif
-}
+vec3 value(ivec2 texel) { return vec3(object_at(texel)); }
 
 vec4 shown(ivec2 texel) {
   uint state = uint(value(texel).x) * 747796405u + 2891336453u;

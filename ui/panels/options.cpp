@@ -100,6 +100,7 @@ const Page& page_now(const FrameContext& f) { return pages()[static_cast<size_t>
 // O again is the next page, and after the last one closes.
 void turn_page(FrameContext& f, const KeyEvent& e) {
   OptionsState& s = f.state.of<OptionsState>();
+  if (!s.open) close_panels(f.state, {Place::edge});
   const int next = s.open ? s.page + (e.shift ? -1 : 1) : 0;
   s.open = next >= 0 && next < option_pages();
   s.page = s.open ? next : 0;

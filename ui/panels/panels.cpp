@@ -11,6 +11,7 @@ namespace gbl::ui {
 #define GBL_PANELS(PANEL) \
   PANEL(GoTo)             \
   PANEL(Lessons)          \
+  PANEL(Overlays)         \
   PANEL(Options)          \
   PANEL(Help)             \
   PANEL(Chart)            \
@@ -77,7 +78,7 @@ bool letters_are_a_panels(const State& s) { return any_open(s, {Place::edge, Pla
 void press_panel(FrameContext& f, const Panel& panel, const KeyEvent& e) {
   if (panel.press) return panel.press(f, e);
   const bool open = !state_of(f.state, panel).open;
-  if (open && panel.place == Place::beside) close_panels(f.state, {Place::beside});
+  if (open && among({Place::beside, Place::edge}, panel.place)) close_panels(f.state, {panel.place});
   state_of(f.state, panel).open = open;
 }
 
