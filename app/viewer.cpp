@@ -104,6 +104,7 @@ void Viewer::draw_truth(const Settings& s, const ui::Requests& requests, bool al
     if (all || !fresh || !(drawn_part(s.view) == drawn_part(view_drawn_))) {
       lab_.look_at(s.view);
       fresh = lab_.draw_truth_view(view, false);
+      main_drawn_ |= fresh;
       stats_pending_ |= fresh && view == View::error;
     }
     complete &= fresh;
@@ -146,6 +147,7 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
     lab_.look_at(s.view);
     lab_.draw_view(view, {.overlays = main});
     fresh_[v] = true;
+    main_drawn_ |= main;
     if (main || follows_picture(view, s.view)) ask_stats(view);
   }
   for (const Overlay& o : s.view.overlays) ask_stats(view_by_id(o.view).view);
@@ -207,7 +209,9 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (changed && ready) draw_frame(s, moving);
   if (!lab_.has_drawn()) return;
   try {
+    main_drawn_ = false;
     draw_views(s, requests, changed && ready);
+    comparer_.update(requests.compare, view_by_id(s.view.main).view, main_drawn_);
     lab_.show_squares(requests.magnified);
     ask_numbers(requests, changed && ready);
     if (requests.probe && requests.probe != probe_asked_) {
@@ -245,6 +249,7 @@ ui::Input Viewer::input(double seconds) const {
   ui::Input in = ui_input(lab_);
   in.probe = probe_;
   in.account = account_ ? &*account_ : nullptr;
+  in.compare = comparer_.input();
   in.numbers = numbers_ ? &*numbers_ : nullptr;
   for (const auto& job : jobs_) job->fill(in);
   in.truth_progress = lab_.truth_progress();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/background.h"
+#include "app/comparer.h"
 #include "app/lab.h"
 #include "app/scene_loader.h"
 
@@ -11,7 +12,7 @@ namespace gbl {
 
 class Viewer {
  public:
-  explicit Viewer(Lab& lab) : lab_(lab), jobs_(background_jobs(lab)) {}
+  explicit Viewer(Lab& lab) : lab_(lab), comparer_(lab), jobs_(background_jobs(lab)) {}
 
   // Draws what the requests ask for and what has changed, nothing else. Never throws for a bad setting or shader:
   // the message says what is wrong and the old picture stays.
@@ -40,7 +41,8 @@ class Viewer {
 
  private:
   bool drawing() const {
-    return waiting_ || moving_ || truth_waiting_ || stats_waiting_ || account_waiting_ || loader_.loading();
+    return comparer_.waiting() || waiting_ || moving_ || truth_waiting_ || stats_waiting_ || account_waiting_ ||
+           loader_.loading();
   }
   bool measures_more() const;
   bool scene_ready(const Settings&);
@@ -56,6 +58,7 @@ class Viewer {
   Settings affordable(const Settings&, bool moving);
 
   Lab& lab_;
+  Comparer comparer_;
   std::vector<std::unique_ptr<BackgroundJob>> jobs_;
   SceneLoader loader_;
   std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
@@ -66,6 +69,7 @@ class Viewer {
   std::array<bool, kViewCount> fresh_{};        // views that show the frame drawn last
   std::array<bool, kViewCount> asked_stats_{};  // of the frame drawn last
   bool stats_waiting_ = false;                  // of a visible view
+  bool main_drawn_ = false;                     // in this frame: the main view's picture, or the reference's
   Settings::View view_drawn_;
   std::optional<PixelAccount> account_;  // of probe_
   bool account_waiting_ = false;

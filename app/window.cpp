@@ -31,7 +31,7 @@ constexpr NamedKey kNamedKeys[] = {
 };
 
 // Found as characters, since keyboards put them in different places.
-constexpr std::string_view kAsCharacters = "+-=[]";
+constexpr std::string_view kAsCharacters = "+-=[]/";
 
 std::string name_of(int key, int scancode) {
   for (const NamedKey& k : kNamedKeys)

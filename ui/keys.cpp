@@ -6,6 +6,7 @@
 
 #include "renderer/options/options.h"
 #include "ui/commands.h"
+#include "ui/compare.h"
 #include "ui/key_spec.h"
 #include "ui/state.h"
 
@@ -16,6 +17,9 @@ namespace {
 constexpr KeyCommand kCommands[] = {
     {"Ctrl+Z", "undo", "take the last change of the settings back", undo, true},
     {"Ctrl+Y", "redo", "make it again", redo, true},
+    {"Tab", "compare.flip", "A or B: two whole settings; at first the state before the last change", flip},
+    {"/", "compare.mode", "A and B on one picture: wipe, side by side, difference, off", next_mode},
+    {"X", "cure", "sound choices in the place of the unsound ones; again: back to what fails", flip_to_cure},
     {"Ctrl+0", "zoom.pixels", "pixel for pixel, or where that is so already eight times as large", show_pixels},
     {"Ctrl+F", "zoom.whole", "the whole picture in all panels", show_whole_picture},
     {"Ctrl+L", "look.channels", "the large view: all channels, red, green, blue", step_channels},
@@ -152,6 +156,7 @@ std::vector<KeyRow> mouse_rows() {
       {"move", "mouse.read", "read the pixel: the status line, and the same place in every panel"},
       {"click", "mouse.hold", "hold the pixel and choose the view; the same pixel again, or a right click, lets go"},
       {"double", "mouse.enlarge", "a double click: the view alone; again, or 0: all views"},
+      {"line", "mouse.wipe", "drag the line between A and B; a double click on it puts it in the middle"},
       {"drag", "mouse.look", "look around in the large picture; where it is zoomed, move it"},
       {"middle", "mouse.pan", "drag with the middle button: move the picture"},
       {"wheel", "mouse.zoom", "zoom where the mouse is, in all panels; Shift: in this one alone"},

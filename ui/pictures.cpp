@@ -127,12 +127,14 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   look.zoom = zoom_of(f, v);
   if (v == f.chosen()) look.overlays = overlay_legends(v, f.stored, f.input);
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
-  draw_view_panel(f.painter, panel, v, image, f.stored, legend_now(v, f.stored, f.input), look);
-  if (f.requests.visible[static_cast<size_t>(v)]) draw_pixel_grid(f, v, picture_box(panel, image.size));
+  const Box own = v == f.layout.main ? box_of_a(f, panel) : panel;
+  draw_view_panel(f.painter, own, v, image, f.stored, legend_now(v, f.stored, f.input), look);
+  if (v == f.layout.main) draw_comparison(f, panel);
+  if (f.requests.visible[static_cast<size_t>(v)]) draw_pixel_grid(f, v, picture_box(own, image.size));
   if (f.state.focused == v) f.painter.outline(panel, kText, std::round(4 * f.layout.unit));
   if (f.state.hidden || (f.state.hovered == v && !f.state.held_at)) return;
   const std::optional<glm::ivec2> pixel = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
-  if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, v, picture_box(panel, image.size), *pixel);
+  if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, v, picture_box(own, image.size), *pixel);
 }
 
 // A panel above is opaque: what is wholly below one need not be drawn at all.
@@ -151,8 +153,10 @@ void draw_pictures(FrameContext& f) {
   f.state.hovered_pixel.reset();
   f.state.focused.reset();
   use_view_tools(f);
+  use_wipe(f);
   for_each_panel(f, [&](View v, const Box& panel) {
-    use_mouse(f, v, panel, picture_box(panel, f.input.images[static_cast<size_t>(v)].size));
+    const Box own = v == f.layout.main ? box_of_a(f, panel) : panel;
+    use_mouse(f, v, own, picture_box(own, f.input.images[static_cast<size_t>(v)].size));
   });
   for_each_panel(f, [&](View v, const Box& panel) { draw_panel(f, v, panel); });
   const Box& main = f.layout.main_box();
@@ -162,6 +166,7 @@ void draw_pictures(FrameContext& f) {
     draw_error_numbers(f, main);
     draw_view_tools(f);
   }
+  ask_comparison(f);
   f.requests.probe = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
 }
 

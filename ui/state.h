@@ -9,6 +9,7 @@
 
 #include "renderer/options/options.h"
 #include "ui/captions.h"
+#include "ui/compare.h"
 #include "ui/history.h"
 #include "ui/layout.h"
 #include "ui/panel.h"
@@ -64,6 +65,7 @@ struct State {
   void type_into(const char* id) { field = id, focus_field = true; }
 
   History history;
+  Comparison comparison;
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;

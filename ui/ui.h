@@ -19,6 +19,7 @@
 #include "renderer/truth/pixel_account.h"
 #include "ui/advisor_io.h"
 #include "ui/chart_io.h"
+#include "ui/compare_io.h"
 #include "ui/stability_io.h"
 
 namespace gbl::ui {
@@ -28,6 +29,14 @@ struct PixelNumbers;
 struct ViewImage {
   uint64_t texture = 0;  // ImTextureID; 0 = not drawn this frame
   glm::ivec2 size{0};    // row 0 of the texture is the picture's bottom row (GL): draw with v flipped
+};
+
+// B and its difference from A; without a texture where they are not there yet, or for a reason.
+struct CompareInput {
+  ViewImage b, difference;
+  std::optional<ErrorStats> stats;  // of the difference, in the part that was asked for
+  Legend legend;                    // of the difference
+  std::string missing, note;        // why there is none; what is to be known of it
 };
 
 // What the UI reads this frame.
@@ -41,6 +50,7 @@ struct Input {
   std::optional<PixelProbe> probe;                   // of the pixel asked for
   const PixelAccount* account = nullptr;             // of the held pixel, once it is worked out
   const PixelNumbers* numbers = nullptr;             // those asked for, once they are there
+  const CompareInput* compare = nullptr;             // null: nothing is compared
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
   double truth_progress = 1;                         // of the reference that is being made; 1: none is
   const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
@@ -74,6 +84,7 @@ struct Requests {
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
   bool account = false;                               // why the probed pixel looks as it does
+  std::optional<CompareRequest> compare;              // with the main view
   bool magnified = false;                             // pixels are shown as squares
   std::array<bool, kViewCount> visible{};             // views that the next frame must draw
   glm::ivec2 picture_size{0};                         // of the largest picture on screen, in screen pixels

@@ -30,4 +30,14 @@ std::vector<Unsound> unsound_choices(const Settings& s) {
   return found;
 }
 
+Settings cured(const Settings& s) {
+  Settings out = s;
+  const Settings defaults;
+  for (const Unsound& u : unsound_choices(s)) {
+    const Option& o = option(u.path);
+    o.set(out, o.get(defaults), o);
+  }
+  return out;
+}
+
 }  // namespace gbl

@@ -137,6 +137,8 @@ struct Unsound {
   std::string path, value, pitfall;
 };
 std::vector<Unsound> unsound_choices(const Settings&);
+// The same with the default, which is sound, in the place of every unsound choice.
+Settings cured(const Settings&);
 inline bool sound(const Settings& s) { return unsound_choices(s).empty(); }
 
 }  // namespace gbl

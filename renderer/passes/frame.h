@@ -86,6 +86,10 @@ class Renderer {
   // how far the frame is from the truth, into targets.canvases.errors(), and begins to read it back
   void draw_errors(const Settings&, const GpuScene&, Targets&, const TruthTextures&);
 
+  // Two pictures against each other: A - B in codes, of the channel that is off most, into RGBA32F; and its colours.
+  void draw_difference(const gl::Texture& a, const gl::Texture& b, const Canvas& into);
+  void colour_difference(const gl::Texture& difference, ErrorScale, double range, const Canvas& into);
+
   // What has arrived since: times and pair counts into the report. `wait` blocks until all of it has.
   void collect(Targets&, FrameReport&, bool wait);
   std::optional<PixelProbe> take_probe(Targets&, bool wait);

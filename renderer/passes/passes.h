@@ -44,6 +44,8 @@ void draw_redrawn(Frame&);                // into targets.redrawn_…, once per 
 void draw_outline(Frame&, Canvas& into);  // of settings.view.object
 void draw_truth_view(const Frame&, View, const ViewOptions&, Canvas& into);  // of reference and error
 void draw_truth_numbers(const Frame&, View, const ViewOptions&, const PixelGrid&, Canvas& into);
+// Signed numbers in r, where a is 1, along the error's bar, over what is bound.
+void colour_errors(ProgramCache&, Shapes&, const gl::Texture& errors, ErrorScale, double range);
 void set_pixel_grid(const gl::Program&, glm::ivec2 size, const PixelGrid&);  // of a picture of this size
 
 }  // namespace gbl

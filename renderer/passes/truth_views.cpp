@@ -23,28 +23,30 @@ void draw_reference(const Frame& frame, const TruthTextures& truth) {
   frame.shapes.draw_fullscreen();
 }
 
-void colour_errors(const Frame& frame, double range) {
-  const bool with_sign = frame.view.error.scale == ErrorScale::with_sign;
+}  // namespace
+
+void colour_errors(ProgramCache& programs, Shapes& shapes, const gl::Texture& errors, ErrorScale scale,
+                   double range) {
+  const bool with_sign = scale == ErrorScale::with_sign;
   const std::span<const glm::vec3> stops = stops_of(with_sign ? ColourMap::diverging : ColourMap::magma);
   const int count = static_cast<int>(stops.size());
-  gl::bind_texture("errors", frame.targets().canvases.errors().texture);
+  gl::bind_texture("errors", errors);
   const gl::Program& program =
-      frame.programs.get("fullscreen.vert", shader_of(View::error), {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
+      programs.get("fullscreen.vert", shader_of(View::error), {{"COLOUR_STOPS", count}, {"SIGNED", with_sign}});
   glUseProgram(program.id());
   glUniform3fv(program.uniform("stops"), count, glm::value_ptr(stops[0]));
   glUniform1f(program.uniform("range"), static_cast<float>(range));
   glUniform3fv(program.uniform("empty_colour"), 1, glm::value_ptr(row(View::error).empty_colour));
-  frame.shapes.draw_fullscreen();
+  shapes.draw_fullscreen();
 }
-
-}  // namespace
 
 void draw_truth_view(const Frame& frame, View view, const ViewOptions& options, Canvas& into) {
   begin_drawing(into.framebuffer, frame.settings.size, {});
   if (view == View::reference)
     draw_reference(frame, *options.truth);
   else
-    colour_errors(frame, options.error_range);
+    colour_errors(frame.programs, frame.shapes, frame.targets().canvases.errors().texture, frame.view.error.scale,
+                  options.error_range);
 }
 
 void draw_truth_numbers(const Frame& frame, View view, const ViewOptions& options, const PixelGrid& pixels,

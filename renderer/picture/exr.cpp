@@ -4,6 +4,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <cmath>
@@ -70,6 +71,40 @@ void write_exr(const std::filesystem::path& path, glm::ivec2 size, const std::ve
                   "free some space, or give another folder");
     }
   });
+}
+
+ExrPicture read_exr(const std::filesystem::path& path) {
+  constexpr int kMostPixels = 1 << 27;
+  const auto refuse = [&](const std::string& what) {
+    return Error(ExitCode::bad_input, path.string(), what, "give an OpenEXR file with channels R, G and B");
+  };
+  try {
+    Imf::InputFile file(path.c_str());
+    const Imath::Box2i window = file.header().dataWindow();
+    const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
+    if (width < 1 || height < 1 || width * height > kMostPixels)
+      throw refuse(fmt::format("is {} x {} pixels large", width, height));
+    ExrPicture out{{static_cast<int>(width), static_cast<int>(height)}, {}};
+    out.rgb.resize(static_cast<size_t>(width * height));
+    Imf::FrameBuffer buffer;
+    auto* first = reinterpret_cast<char*>(out.rgb.data());
+    // The library counts from the origin, wherever the window begins.
+    const std::ptrdiff_t before =
+        (std::ptrdiff_t(window.min.y) * width + window.min.x) * std::ptrdiff_t(sizeof(glm::vec3));
+    for (int k = 0; k < 3; ++k) {
+      const char name[] = {"RGB"[k], 0};
+      if (!file.header().channels().findChannel(name)) throw refuse(fmt::format("has no channel {}", name));
+      buffer.insert(name, Imf::Slice(Imf::FLOAT, first - before + std::ptrdiff_t(sizeof(float)) * k, sizeof(glm::vec3),
+                                     sizeof(glm::vec3) * static_cast<size_t>(width)));
+    }
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    return out;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw refuse(fmt::format("cannot be read ({})", e.what()));
+  }
 }
 
 }  // namespace gbl

@@ -18,4 +18,10 @@ struct ExrChannel {
 void write_exr(const std::filesystem::path&, glm::ivec2 size, const std::vector<ExrChannel>&,
                const std::vector<std::pair<std::string, std::string>>& texts = {});
 
+struct ExrPicture {
+  glm::ivec2 size{0};
+  std::vector<glm::vec3> rgb;  // rows top to bottom, as they are stored
+};
+ExrPicture read_exr(const std::filesystem::path&);  // its R, G and B; Error(bad_input)
+
 }  // namespace gbl

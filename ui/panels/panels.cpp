@@ -12,6 +12,7 @@ namespace gbl::ui {
   PANEL(GoTo)             \
   PANEL(Lessons)          \
   PANEL(Overlays)         \
+  PANEL(Compare)          \
   PANEL(Options)          \
   PANEL(Help)             \
   PANEL(Chart)            \
