@@ -116,6 +116,7 @@ void step_option(FrameContext& f, const Option& o, int step) {
 bool replace_settings(FrameContext& f, const Settings& by) {
   try {
     require_valid(by, {f.input.features});
+    if (by.lights.source == LightSource::rig) all_lights_of(by, f.input.scene);  // its file may be gone
   } catch (const Error& e) {
     f.state.notice = e.what();
     return false;

@@ -8,6 +8,7 @@ struct FrameContext;
 
 void undo(FrameContext&, const KeyEvent&);
 void redo(FrameContext&, const KeyEvent&);
+void quit(FrameContext&, const KeyEvent&);
 void keep_bookmark(FrameContext&, const KeyEvent&);  // bookmarks.cpp
 void go_to_bookmark(FrameContext&, const KeyEvent&);
 void show_whole_picture(FrameContext&, const KeyEvent&);

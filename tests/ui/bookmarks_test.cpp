@@ -6,8 +6,8 @@
 namespace gbl::ui {
 namespace {
 
-const auto go = [](Desk& desk, const char* key) { desk.press(key, false, true); };
-const auto keep = [](Desk& desk, const char* key) { desk.press(key, true, true); };
+void go(Desk& desk, const char* key) { desk.press(key, false, true); }
+void keep(Desk& desk, const char* key) { desk.press(key, true, true); }
 
 TEST(Bookmarks, AnEmptyOneKeepsWhatIsShownAndAFullOneBringsItBack) {
   Desk desk;
