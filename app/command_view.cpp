@@ -10,12 +10,12 @@
 #include "app/commands.h"
 #include "app/imgui_screen.h"
 #include "app/load_stage.h"
+#include "app/picture_texts.h"
 #include "app/start.h"
 #include "app/viewer.h"
 #include "app/window.h"
 #include "renderer/base/files.h"
 #include "renderer/opening/scene_look.h"
-#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {
@@ -35,7 +35,7 @@ std::filesystem::path free_figure_name(const Settings& s) {
 }
 
 // The window's picture as seen, with the settings in it so that --state can bring it back.
-std::string save_figure(glm::ivec2 size, const Settings& s) {
+std::string save_figure(glm::ivec2 size, const Settings& s, const Machine& machine) {
   try {
     std::vector<uint8_t> pixels(4u * size.x * size.y);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -43,7 +43,7 @@ std::string save_figure(glm::ivec2 size, const Settings& s) {
     glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     make_folder("out");
     const std::filesystem::path path = free_figure_name(s);
-    write_png(path, image_from_gl_rows(size, std::move(pixels)), {{kSettingsKey, settings_text(s)}});
+    write_png(path, image_from_gl_rows(size, std::move(pixels)), picture_texts("gbufferlab view", s, machine));
     return fmt::format("saved {}", path.string());
   } catch (const Error& e) {
     return e.what();
@@ -135,6 +135,19 @@ class Loop {
     }
   }
 
+  void drop(const std::vector<std::string>& files) {
+    if (files.size() > 1) return viewer_.say(fmt::format("{} files at once: drop one", files.size()));
+    if (!files.empty()) viewer_.drop(files.front());
+  }
+
+  void take(const Viewer::Opened& opened) {
+    if (opened.whole)
+      ui_.show({opened.settings, opened.settings.view.main != "final"}, settings_);
+    else
+      settings_ = opened.settings;
+    if (is_file(opened.file)) remember(session_.recent, opened.file);
+  }
+
   Session session() const {
     Session now = session_;
     if (remembered_) now.last = ui_.snapshot(settings_);
@@ -158,11 +171,8 @@ class Loop {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const std::vector<ui::KeyEvent> keys = window_.take_keys();
     if (!keys.empty()) viewer_.say("");
-    for (const std::string& file : window_.take_drops()) viewer_.drop(file);
-    if (auto opened = viewer_.take_opened(settings_)) {
-      settings_ = std::move(*opened);
-      if (is_file(settings_.scene)) remember(session_.recent, settings_.scene);
-    }
+    drop(window_.take_drops());
+    if (const auto opened = viewer_.take_opened(settings_)) take(*opened);
     ImGui_ImplGlfw_NewFrame();
     const Settings before = settings_;
     screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
@@ -171,8 +181,8 @@ class Loop {
     Settings renamed = before;
     renamed.scene = settings_.scene;
     if (settings_.scene != before.scene && settings_ == renamed)
-      viewer_.drop(std::exchange(settings_.scene, before.scene));
-    if (requests.save_figure) viewer_.say(save_figure(size, settings_));
+      viewer_.open_scene(std::exchange(settings_.scene, before.scene));
+    if (requests.save_figure) viewer_.say(save_figure(size, settings_, lab_.machine()));
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);

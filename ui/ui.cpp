@@ -97,6 +97,8 @@ void Ui::show(const Snapshot& kept, Settings& settings) {
   settings = kept.settings;
   settings.size = size;
   state_->large = kept.large;
+  state_->glide.reset();
+  state_->before_glide.reset();
 }
 
 const Bookmarks& Ui::bookmarks() const { return state_->bookmarks; }
