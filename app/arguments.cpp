@@ -71,7 +71,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   if (command == "view") {
     app.add_flag("--present", a.present, "large type for a projector");
     app.add_option("--lesson", a.lesson, "open this lesson (list lessons)");
-    app.add_flag("--fresh", a.fresh, "start from the preset; nothing is remembered between runs, so this is always so");
+    app.add_flag("--fresh", a.fresh, "start as loaded and not where the window was left");
     add_number(app, "--frames", a.frames, "draw so many frames and leave", 0, kAnyInt);
   }
   if (command == "bench") {

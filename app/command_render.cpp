@@ -10,6 +10,7 @@
 #include "app/imgui_screen.h"
 #include "app/lab.h"
 #include "app/layers_exr.h"
+#include "app/picture_texts.h"
 #include "app/report_json.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
@@ -63,11 +64,12 @@ void draw_against_truth(Lab& lab, View v) {
 // PNGs are packed on other threads while the GPU draws the next view.
 class Writer {
  public:
-  Writer(fs::path folder, PngText texts) : folder_(std::move(folder)), texts_(std::move(texts)) {}
-  void write(const std::string& name, Image image) {
+  explicit Writer(fs::path folder) : folder_(std::move(folder)) {}
+  void write(const std::string& name, Image image, PngText texts) {
     written_.push_back(name);
-    tasks_.push_back(std::async(std::launch::async,
-                                [this, name, image = std::move(image)] { write_png(folder_ / name, image, texts_); }));
+    tasks_.push_back(std::async(std::launch::async, [this, name, image = std::move(image), texts = std::move(texts)] {
+      write_png(folder_ / name, image, texts);
+    }));
   }
   std::vector<std::string> finish() {
     for (auto& t : tasks_) t.get();
@@ -76,7 +78,6 @@ class Writer {
 
  private:
   fs::path folder_;
-  PngText texts_;
   std::vector<std::future<void>> tasks_;
   std::vector<std::string> written_;
 };
@@ -125,6 +126,10 @@ Image picture_of(Lab& lab, const ui::Sheet& sheet) {
   return screen.picture(ui::sheet_size(sheet, lab.drawn()), draw);
 }
 
+std::string command_of(const Arguments& a) {
+  return a.without.empty() ? "gbufferlab render" : fmt::format("gbufferlab render --without {}", a.without);
+}
+
 }  // namespace
 
 ExitCode run_render(const Arguments& a) {
@@ -137,31 +142,34 @@ ExitCode run_render(const Arguments& a) {
       fmt::print(stderr, "gbufferlab: {}: {}\n", s.scene, w);
   require_valid(s, lab.limits());
   const std::vector<View> shown = wanted_views(a, s);
+  const std::string all = a.only.empty() ? "" : fmt::format(" --only {}", a.only);
   const fs::path folder = a.output.value_or("out");
   make_folder(folder);
   announce(lab, s);
   lab.draw(s);
   lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMostLitTests);
-  const std::string state = settings_text(s) + "\n";
-  Writer writer(folder, {{kSettingsKey, state}});
+  const std::string command = command_of(a);
+  const auto texts = [&](const std::string& options) { return picture_texts(command + options, s, lab.machine()); };
+  Writer writer(folder);
   for (const View v : shown) {
     if (needs_truth(v))
       draw_against_truth(lab, v);
     else
       lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
-    writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v));
+    const std::string only = fmt::format(" --only {}", row(v).id);
+    writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v), texts(only));
     if (!a.raw || needs_truth(v)) continue;
     lab.draw_view(v, {.raw = true});
-    writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v));
+    writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v), texts(only + " --raw"));
   }
-  if (a.exr) write_layers(folder / "layers.exr", lab, shown, {{kSettingsKey, state}});
+  if (a.exr) write_layers(folder / "layers.exr", lab, shown, texts(all + " --exr"));
   lab.collect(true);
   if (a.sheet) {
-    writer.write("sheet.png", picture_of(lab, sheet_of(a, lab, shown)));
+    writer.write("sheet.png", picture_of(lab, sheet_of(a, lab, shown)), texts(all + " --sheet"));
     const Preset* p = preset_of(s);
     write_text_file(folder / "packing.svg", packing_svg(lab.report().drawn, p ? p->id : row(s.layout).id));
   }
-  write_text_file(folder / "settings.json", state);
+  write_text_file(folder / "settings.json", settings_text(s) + "\n");
   const std::vector<std::string> files = writer.finish();
   if (a.json)
     fmt::print("{}\n", report_json(lab).dump(2));
@@ -211,7 +219,7 @@ ExitCode run_start_sheets(const Arguments& a) {
   Lab lab(without_of(a));
   const fs::path folder = "out";
   make_folder(folder);
-  const PngText texts = {{kSettingsKey, settings_text(s)}};
+  const PngText texts = picture_texts("gbufferlab", s, lab.machine());
   write_png(folder / "start.png", first_screen(lab, s), texts);
   write_png(folder / "start_cull.png", three_culls(lab, s), texts);
   fmt::print("No display: wrote the first screen instead.\n  {}\n  {}\n", (folder / "start.png").string(),

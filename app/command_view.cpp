@@ -10,12 +10,12 @@
 #include "app/commands.h"
 #include "app/imgui_screen.h"
 #include "app/load_stage.h"
+#include "app/picture_texts.h"
+#include "app/start.h"
 #include "app/viewer.h"
 #include "app/window.h"
 #include "renderer/base/files.h"
-#include "renderer/base/resources.h"
 #include "renderer/opening/scene_look.h"
-#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {
@@ -35,7 +35,7 @@ std::filesystem::path free_figure_name(const Settings& s) {
 }
 
 // The window's picture as seen, with the settings in it so that --state can bring it back.
-std::string save_figure(glm::ivec2 size, const Settings& s) {
+std::string save_figure(glm::ivec2 size, const Settings& s, const Machine& machine) {
   try {
     std::vector<uint8_t> pixels(4u * size.x * size.y);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -43,7 +43,7 @@ std::string save_figure(glm::ivec2 size, const Settings& s) {
     glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
     make_folder("out");
     const std::filesystem::path path = free_figure_name(s);
-    write_png(path, image_from_gl_rows(size, std::move(pixels)), {{kSettingsKey, settings_text(s)}});
+    write_png(path, image_from_gl_rows(size, std::move(pixels)), picture_texts("gbufferlab view", s, machine));
     return fmt::format("saved {}", path.string());
   } catch (const Error& e) {
     return e.what();
@@ -64,12 +64,14 @@ void show_start(Window& window, ImguiScreen& screen, const std::string& line) {
   window.swap();
 }
 
-// Reads what the command line names while the window says how far it is. Nothing if the window was closed meanwhile.
-std::optional<Setup> open_meanwhile(const Arguments& a, Window& window, ImguiScreen& screen) {
+// Reads what the window starts with while it says how far it is. Nothing if the window was closed meanwhile.
+std::optional<Start> open_meanwhile(const Arguments& a, SessionKeeper& keeper, Window& window, ImguiScreen& screen) {
   LoadStage stage;
-  std::future<Setup> work = std::async(std::launch::async, [&] { return setup_of(a, &stage.progress()); });
+  const std::string scene =
+      goes_on(a) && keeper.found().last ? keeper.found().last->settings.scene : a.scene.value_or("");
+  std::future<Start> work = std::async(std::launch::async, [&] { return start_of(a, keeper, &stage.progress()); });
   while (work.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    show_start(window, screen, fmt::format("reading {}: {}", a.scene.value_or(""), stage.text()));
+    show_start(window, screen, fmt::format("reading {}: {}", scene, stage.text()));
     window.wait_events(kFrameSeconds);
     if (!window.closing()) continue;
     stage.cancel();
@@ -81,31 +83,82 @@ std::optional<Setup> open_meanwhile(const Arguments& a, Window& window, ImguiScr
 
 class Loop {
  public:
-  Loop(const Arguments& a, Window& window, ImguiScreen& screen, Setup setup)
+  Loop(const Arguments& a, Window& window, ImguiScreen& screen, SessionKeeper& keeper, Start start)
       : window_(window),
         screen_(screen),
-        settings_(std::move(setup.settings)),
+        keeper_(keeper),
+        session_(keeper.found()),
+        remembered_(is_remembered(a)),
+        settings_(std::move(start.asked.settings)),
         ui_(settings_, a.present),
         lab_(without_of(a)),
         viewer_(lab_),
         backend_(window_) {
-    if (setup.scene) {
-      viewer_.say(fmt::format("{}", fmt::join(notes_of(*setup.scene, settings_.lights.source), "; ")));
-      lab_.show(settings_.scene, std::move(setup.scene));
-    }
+    ui_.set_bookmarks(session_.bookmarks);
+    if (start.asked.scene) show(std::move(start.asked.scene));
+    if (start.left) go_on(*start.left, std::move(start.left_scene));
+    for (const auto& file : {a.scene, a.rig, a.state})
+      if (file && (file != a.scene || is_file(*file))) remember(session_.recent, *file);
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
     settings_.size = {800, 450};
     ui::Requests first;  // something to show in the very first frame
     first.visible.fill(true);
     lab_.open(settings_.scene);
     viewer_.update(settings_, first, false);
+    say_trouble();
   }
 
   void run(int frames) {
     for (int n = 0; !window_.closing() && (frames == 0 || n < frames); ++n) step();
+    keeper_.keep(session(), glfwGetTime());
+    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty())
+      fmt::print(stderr, "gbufferlab: {}\n", trouble);
   }
 
  private:
+  void show(std::shared_ptr<const Scene> scene) {
+    viewer_.say(fmt::format("{}", fmt::join(notes_of(*scene, settings_.lights.source), "; ")));
+    lab_.show(settings_.scene, std::move(scene));
+  }
+
+  // Where the window was left, unless this device cannot draw it.
+  void go_on(const ui::Snapshot& left, std::shared_ptr<const Scene> scene) {
+    Settings home = settings_;
+    home.size = left.settings.size;
+    try {
+      require_valid(left.settings, lab_.limits());
+      ui_.show(left, settings_);
+      show(std::move(scene));
+      if (!(left.settings == home)) viewer_.say("As the window was left. Home: as it is loaded.");
+    } catch (const Error& e) {
+      keeper_.put_aside(e.what());
+    }
+  }
+
+  void drop(const std::vector<std::string>& files) {
+    if (files.size() > 1) return viewer_.say(fmt::format("{} files at once: drop one", files.size()));
+    if (!files.empty()) viewer_.drop(files.front());
+  }
+
+  void take(const Viewer::Opened& opened) {
+    if (opened.whole)
+      ui_.show({opened.settings, opened.settings.view.main != "final"}, settings_);
+    else
+      settings_ = opened.settings;
+    if (is_file(opened.file)) remember(session_.recent, opened.file);
+  }
+
+  Session session() const {
+    Session now = session_;
+    if (remembered_) now.last = ui_.snapshot(settings_);
+    now.bookmarks = ui_.bookmarks();
+    return now;
+  }
+
+  void say_trouble() {
+    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.say(trouble);
+  }
+
   void step() {
     window_.wait_events(pace());
     const glm::ivec2 size = window_.framebuffer_size();
@@ -118,8 +171,8 @@ class Loop {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const std::vector<ui::KeyEvent> keys = window_.take_keys();
     if (!keys.empty()) viewer_.say("");
-    for (const std::string& file : window_.take_drops()) viewer_.drop(file);
-    if (auto opened = viewer_.take_opened(settings_)) settings_ = std::move(*opened);
+    drop(window_.take_drops());
+    if (const auto opened = viewer_.take_opened(settings_)) take(*opened);
     ImGui_ImplGlfw_NewFrame();
     const Settings before = settings_;
     screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
@@ -128,14 +181,15 @@ class Loop {
     Settings renamed = before;
     renamed.scene = settings_.scene;
     if (settings_.scene != before.scene && settings_ == renamed)
-      viewer_.drop(std::exchange(settings_.scene, before.scene));
-    if (requests.save_figure) viewer_.say(save_figure(size, settings_));
+      viewer_.open_scene(std::exchange(settings_.scene, before.scene));
+    if (requests.save_figure) viewer_.say(save_figure(size, settings_, lab_.machine()));
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
+    if (keeper_.due(input.seconds)) keeper_.keep(session(), input.seconds), say_trouble();
   }
 
   // Not every event is a hand's: the window system has its own.
@@ -154,6 +208,9 @@ class Loop {
 
   Window& window_;
   ImguiScreen& screen_;
+  SessionKeeper& keeper_;
+  Session session_;
+  bool remembered_;  // what is shown, for the next window
   Settings settings_;
   ui::Ui ui_;
   Lab lab_;
@@ -170,10 +227,11 @@ ExitCode run_view(const Arguments& a) {
   if (!display_present()) setup_of(a);  // what is wrong with the command line is said first
   Window window(kWindowSize, "G-Buffer Lab");
   ImguiScreen screen;
-  std::optional<Setup> setup = open_meanwhile(a, window, screen);
-  if (!setup) return ExitCode::done;  // closed before it was open
+  SessionKeeper keeper(session_file());
+  std::optional<Start> start = open_meanwhile(a, keeper, window, screen);
+  if (!start) return ExitCode::done;  // closed before it was open
   show_start(window, screen, "compiling shaders, drawing the first frame");
-  Loop(a, window, screen, std::move(*setup)).run(a.frames.value_or(0));
+  Loop(a, window, screen, keeper, std::move(*start)).run(a.frames.value_or(0));
   return ExitCode::done;
 }
 

@@ -2,13 +2,13 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "app/file_opening.h"
 #include "renderer/base/number.h"
 #include "renderer/base/size_text.h"
 #include "renderer/opening/exposure_meter.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
-#include "renderer/picture/image.h"
 #include "renderer/scenes/rig.h"
 
 namespace gbl {
@@ -53,14 +53,6 @@ void apply_size(Settings& s, const std::string& text) {
   if (!size)
     throw Error(ExitCode::bad_input, "--size", fmt::format("'{}' is not a size", text), "write WxH, e.g. 1280x720");
   apply_patch(s, {{"size", OptionList{size->x, size->y}}}, "--size");
-}
-
-Settings read_state(const std::string& file) {
-  const bool png = file.size() > 4 && file.substr(file.size() - 4) == ".png";
-  if (!png) return read_settings(file);
-  const std::string text = read_png_text(file, kSettingsKey);
-  if (text.empty()) throw Error(ExitCode::bad_input, file, "holds no settings", "give a PNG that this program wrote");
-  return parse_settings(text, file);
 }
 
 }  // namespace

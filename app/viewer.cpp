@@ -44,25 +44,58 @@ Settings Viewer::affordable(const Settings& s, bool moving) {
 void Viewer::arrive(bool wait, LightSource lights) {
   try {
     if (auto scene = loader_.take(wait)) {
-      const bool dropped = loader_.name() == dropped_;
+      const bool dropped = opening_ && loader_.name() == opening_->scene;
       message_ = fmt::format("{}: {} objects", loader_.name(), scene->instances.size());
       const std::vector<std::string> notes = notes_of(*scene, dropped ? LightSource::scene : lights);
       for (const std::string& note : notes) message_ += "; " + note;
       if (notes.empty() && !dropped) message_.clear();
       lab_.show(loader_.name(), std::move(scene));
       asked_.reset();
-      if (dropped) opened_ = std::exchange(dropped_, "");
+      if (dropped && !opening_->said.empty()) message_ = opening_->said;
+      opened_ = opened_ || dropped;
     }
   } catch (const Error& e) {
     if (e.code() != ExitCode::interrupted) message_ = e.what();
     refused_ = loader_.name();
-    dropped_.clear();
+    if (!opened_) opening_.reset();
   }
 }
 
-std::optional<Settings> Viewer::take_opened(const Settings& s) {
-  if (opened_.empty()) return {};
-  return moved_to(s, std::exchange(opened_, ""), lab_.scene());
+void Viewer::begin(FileOpening opening) {
+  if (opening.scene.empty() && loader_.loading()) {
+    message_ = fmt::format("{}: {} is still being read; open this one again then", opening.file, loader_.name());
+    return;
+  }
+  opening_ = std::move(opening);
+  opened_ = opening_->scene.empty() || (opening_->whole && opening_->scene == lab_.scene_name() && !loader_.loading());
+  if (opened_)
+    message_ = opening_->said;
+  else
+    loader_.start(opening_->scene);
+}
+
+void Viewer::drop(const std::string& file) {
+  try {
+    begin(opening_of(file, lab_.limits()));
+  } catch (const Error& e) {
+    message_ = e.what();
+  }
+}
+
+void Viewer::open_scene(const std::string& name) { begin(scene_opening(name)); }
+
+std::optional<Viewer::Opened> Viewer::take_opened(const Settings& s) {
+  if (!opened_) return {};
+  opened_ = false;
+  const FileOpening opening = *std::exchange(opening_, std::nullopt);
+  try {
+    Settings settings = opening.settings(s, lab_.scene());
+    require_valid(settings, lab_.limits());
+    return Opened{opening.file, std::move(settings), opening.whole};
+  } catch (const Error& e) {
+    message_ = e.what();
+    return {};
+  }
 }
 
 // Is the scene that these settings name the one on the GPU? Else sees to it that it will be.
@@ -72,7 +105,7 @@ bool Viewer::scene_ready(const Settings& s) {
     refused_.clear();
     return true;
   }
-  if (!loader_.loading() && s.scene != refused_ && opened_.empty()) loader_.start(s.scene);
+  if (!loader_.loading() && s.scene != refused_ && !opened_) loader_.start(s.scene);
   return false;
 }
 

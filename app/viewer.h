@@ -5,6 +5,7 @@
 
 #include "app/background.h"
 #include "app/comparer.h"
+#include "app/file_opening.h"
 #include "app/lab.h"
 #include "app/scene_loader.h"
 
@@ -23,14 +24,18 @@ class Viewer {
   bool measuring() const { return measuring_; }  // it did so in this frame
   ui::Input input(double seconds) const;
 
-  // A model's file dropped on the window, or a scene named in the options: read it beside the running picture. The old
-  // scene stays until it is there, and for good if it cannot be read.
-  void drop(const std::string& file) {
-    dropped_ = file;
-    loader_.start(file);
-  }
-  // Once: the settings with the dropped scene, when it has been read.
-  std::optional<Settings> take_opened(const Settings&);
+  // A file dropped on the window, as what it is. A scene that it needs is read beside the running picture: what is shown
+  // stays until it is there, and for good if the file cannot be used.
+  void drop(const std::string& file);
+  // The same with a scene named in the options: "builtin:NAME" or a model's file.
+  void open_scene(const std::string& name);
+  // Once: the file, and the settings with it, when all of it has been read.
+  struct Opened {
+    std::string file;
+    Settings settings;
+    bool whole;  // the view that is looked at is the file's, too
+  };
+  std::optional<Opened> take_opened(const Settings&);
   void finish_loading() {
     while (loader_.loading()) arrive(true, LightSource::scene);
   }  // for tests and the first frame
@@ -61,8 +66,11 @@ class Viewer {
   Comparer comparer_;
   std::vector<std::unique_ptr<BackgroundJob>> jobs_;
   SceneLoader loader_;
-  std::string dropped_, opened_, refused_;  // files: being read, just read, not readable
-  std::optional<Settings> asked_;           // of the last attempt, drawn or refused; empty: to be drawn anew
+  void begin(FileOpening);
+  std::optional<FileOpening> opening_;
+  bool opened_ = false;            // all that it needs has been read
+  std::string refused_;            // a scene that cannot be read
+  std::optional<Settings> asked_;  // of the last attempt, drawn or refused; empty: to be drawn anew
   bool waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
   bool truth_waiting_ = false;                  // a visible view still waits for the reference
   bool stats_pending_ = false;                  // of the error view

@@ -113,19 +113,28 @@ void step_option(FrameContext& f, const Option& o, int step) {
   if (done) say_step(f, o, before);
 }
 
-void choose_preset(FrameContext& f, int index) {
-  const int n = static_cast<int>(presets().size());
-  const Preset& chosen = presets()[(index + n) % n];
-  const glm::ivec2 size = f.settings.size;  // the window's, not the preset's
-  if (!try_change(f, [&](Settings& s) {
-        s = chosen.make();
-        s.size = size;
-      }))
-    return;
+bool replace_settings(FrameContext& f, const Settings& by) {
+  try {
+    require_valid(by, {f.input.features});
+    if (by.lights.source == LightSource::rig) all_lights_of(by, f.input.scene);  // its file may be gone
+  } catch (const Error& e) {
+    f.state.notice = e.what();
+    return false;
+  }
+  const glm::ivec2 size = f.settings.size;
+  f.settings = by;
+  f.settings.size = size;
   f.state.glide.reset();
   f.state.before_glide.reset();
   f.state.show_distance = f.state.playing = false;
-  say(f, {fmt::format("Preset: {}. {}.", chosen.label, capitalised(chosen.help)), ""});
+  return true;
+}
+
+void choose_preset(FrameContext& f, int index) {
+  const int n = static_cast<int>(presets().size());
+  const Preset& chosen = presets()[(index + n) % n];
+  if (replace_settings(f, chosen.make()))
+    say(f, {fmt::format("Preset: {}. {}.", chosen.label, capitalised(chosen.help)), ""});
 }
 
 void show_view(FrameContext& f, View v) {

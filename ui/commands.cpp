@@ -198,6 +198,7 @@ void go_to_worst(FrameContext& f, const KeyEvent&) {
 
 void toggle_hidden(FrameContext& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }
 void reload_shaders(FrameContext& f, const KeyEvent&) { f.requests.reload_shaders = true; }
+void quit(FrameContext& f, const KeyEvent&) { f.requests.quit = true; }
 void reveal_answer(FrameContext& f, const KeyEvent&) {
   if (f.state.lesson) f.state.lesson->revealed = true;
 }

@@ -8,6 +8,9 @@ struct FrameContext;
 
 void undo(FrameContext&, const KeyEvent&);
 void redo(FrameContext&, const KeyEvent&);
+void quit(FrameContext&, const KeyEvent&);
+void keep_bookmark(FrameContext&, const KeyEvent&);  // bookmarks.cpp
+void go_to_bookmark(FrameContext&, const KeyEvent&);
 void show_whole_picture(FrameContext&, const KeyEvent&);
 void show_pixels(FrameContext&, const KeyEvent&);
 void step_channels(FrameContext&, const KeyEvent&);

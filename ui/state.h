@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/options/options.h"
+#include "ui/bookmarks.h"
 #include "ui/captions.h"
 #include "ui/compare.h"
 #include "ui/history.h"
@@ -66,6 +67,7 @@ struct State {
 
   History history;
   Comparison comparison;
+  Bookmarks bookmarks;
 
   std::optional<LessonRun> lesson;
   std::optional<Caption> caption;
@@ -117,6 +119,7 @@ void edit(FrameContext&, const std::function<void(Settings&)>& change);
 void edit_option(FrameContext&, const Option&, const OptionValue&);
 void edit_option_as_typed(FrameContext&, const Option&, const std::string&);
 void step_option(FrameContext&, const Option&, int step);  // choices cycle, whole numbers double and halve
+bool replace_settings(FrameContext&, const Settings&);     // by whole ones; the size stays: it is the window's
 void choose_preset(FrameContext&, int index);
 void show_view(FrameContext&, View);  // alone; again: all views
 // The views of a page of the mosaic; empty: the first page, whose places are fixed.

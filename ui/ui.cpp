@@ -90,6 +90,20 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   return requests;
 }
 
+Snapshot Ui::snapshot(const Settings& settings) const { return {settings, state_->large}; }
+
+void Ui::show(const Snapshot& kept, Settings& settings) {
+  const glm::ivec2 size = settings.size;
+  settings = kept.settings;
+  settings.size = size;
+  state_->large = kept.large;
+  state_->glide.reset();
+  state_->before_glide.reset();
+}
+
+const Bookmarks& Ui::bookmarks() const { return state_->bookmarks; }
+void Ui::set_bookmarks(const Bookmarks& kept) { state_->bookmarks = kept; }
+
 void Ui::open_lesson(std::string_view id, Settings& settings) { ui::open_lesson(*state_, settings, load_lesson(id)); }
 
 bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }

@@ -18,6 +18,7 @@
 #include "renderer/truth/error_stats.h"
 #include "renderer/truth/pixel_account.h"
 #include "ui/advisor_io.h"
+#include "ui/bookmarks.h"
 #include "ui/chart_io.h"
 #include "ui/compare_io.h"
 #include "ui/stability_io.h"
@@ -108,6 +109,12 @@ class Ui {
 
   // One frame inside ImGui::NewFrame() … Render(), filling the display. Keys are those since the last frame.
   Requests draw(Settings&, const Input&, const std::vector<KeyEvent>& keys);
+
+  // What is remembered from one run to the next.
+  Snapshot snapshot(const Settings&) const;
+  void show(const Snapshot&, Settings&);  // the size stays
+  const Bookmarks& bookmarks() const;
+  void set_bookmarks(const Bookmarks&);
 
   void open_lesson(std::string_view id, Settings&);  // Error with the known ones
   bool moving(const Settings&) const;                // time runs, a glide is under way or a camera key is held

@@ -25,8 +25,7 @@ void draw_reference(const Frame& frame, const TruthTextures& truth) {
 
 }  // namespace
 
-void colour_errors(ProgramCache& programs, Shapes& shapes, const gl::Texture& errors, ErrorScale scale,
-                   double range) {
+void colour_errors(ProgramCache& programs, Shapes& shapes, const gl::Texture& errors, ErrorScale scale, double range) {
   const bool with_sign = scale == ErrorScale::with_sign;
   const std::span<const glm::vec3> stops = stops_of(with_sign ? ColourMap::diverging : ColourMap::magma);
   const int count = static_cast<int>(stops.size());

@@ -39,8 +39,9 @@ void encode_png(std::FILE* file, const Image& image, const PngText& texts) {
   png_set_filter(png, 0, PNG_FILTER_SUB);
   std::vector<png_text> chunks;
   for (const auto& [key, text] : texts) {
-    png_text chunk{};
-    chunk.compression = PNG_TEXT_COMPRESSION_NONE;
+    png_text chunk{};  // tEXt is Latin-1, iTXt is UTF-8
+    const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c >= 0; });
+    chunk.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
     chunk.key = const_cast<char*>(key.c_str());
     chunk.text = const_cast<char*>(text.c_str());
     chunks.push_back(chunk);
@@ -117,7 +118,9 @@ std::string read_png_text(const fs::path& path, const char* key) {
     png_textp texts = nullptr;
     const int count = png_get_text(r.png, r.info, &texts, nullptr);
     for (int i = 0; i < count; ++i)
-      if (std::strcmp(texts[i].key, key) == 0) return {texts[i].text, texts[i].text_length};
+      if (std::strcmp(texts[i].key, key) == 0)
+        return {texts[i].text,
+                texts[i].compression < PNG_ITXT_COMPRESSION_NONE ? texts[i].text_length : texts[i].itxt_length};
     return "";
   } catch (const Error&) {
     throw;

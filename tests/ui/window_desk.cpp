@@ -1,11 +1,11 @@
 #include "tests/ui/window_desk.h"
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
-#include <signal.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -72,12 +72,13 @@ void stop(int& child) {
 
 }  // namespace
 
-WindowDesk::WindowDesk(std::vector<std::string> arguments) {
+WindowDesk::WindowDesk(const std::vector<std::string>& arguments, fs::path state) : state_(std::move(state)) {
   for (const char* needed : {"Xvfb", "xdotool"})
     if (!have(needed)) missing_ = needed;
   if (!missing_.empty()) return;
   char name[] = "/tmp/gbl-window-XXXXXX";
   folder_ = mkdtemp(name);
+  if (state_.empty()) state_ = folder_ / "state";
   start_server();
   if (!why_not_.empty()) return;
   start_program(arguments);
@@ -123,6 +124,7 @@ void WindowDesk::start_program(const std::vector<std::string>& arguments) {
   if (program_ != 0) return;
   setenv("DISPLAY", display_.c_str(), 1);
   unsetenv("WAYLAND_DISPLAY");
+  setenv("XDG_STATE_HOME", state_.c_str(), 1);  // and never the session of whoever runs the tests
   if (chdir(folder_.c_str()) != 0) _exit(127);
   std::string program_file = test::program();
   std::vector<char*> argv = {program_file.data(), const_cast<char*>("view")};
@@ -177,6 +179,16 @@ void WindowDesk::hold(const std::string& key, int milliseconds) {
   (void)std::system(fmt::format("DISPLAY={} xdotool windowfocus {} keydown {} sleep {} keyup {}", display_, window_,
                                 key, milliseconds / 1000.0, key)
                         .c_str());
+}
+
+int WindowDesk::close() {
+  press("ctrl+q");
+  int status = 0;
+  const bool ended = wait_for([&] { return waitpid(program_, &status, WNOHANG) == program_; }, 10s);
+  EXPECT_TRUE(ended) << "Ctrl+Q did not close the window";
+  if (!ended) return -1;
+  program_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 Figure WindowDesk::figure() {

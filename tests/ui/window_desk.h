@@ -20,7 +20,8 @@ struct Figure {
 
 class WindowDesk {
  public:
-  explicit WindowDesk(std::vector<std::string> arguments = {});
+  // state: the folder of XDG_STATE_HOME, for runs that follow each other; empty: one that goes with the desk.
+  explicit WindowDesk(const std::vector<std::string>& arguments = {}, std::filesystem::path state = {});
   ~WindowDesk();
   WindowDesk(const WindowDesk&) = delete;
 
@@ -29,6 +30,7 @@ class WindowDesk {
   std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
   void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
+  int close();                                              // by its key; the program's exit code
   Figure figure();                                          // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
 
@@ -39,9 +41,14 @@ class WindowDesk {
   void wait_until_drawn();
   void wait_until_at_rest() const;
   std::filesystem::path folder_;  // the program's working folder
+  std::filesystem::path state_;
   std::string display_, window_, why_not_, missing_;
   int server_ = -1, program_ = -1;
   int figures_ = 0;
 };
+
+#define SKIP_WITHOUT_WINDOW(desk)                                                         \
+  if (!(desk).missing().empty()) GTEST_SKIP() << (desk).missing() << " is not installed"; \
+  ASSERT_TRUE((desk).open()) << (desk).why_not()
 
 }  // namespace gbl

@@ -1,0 +1,107 @@
+#include "app/file_opening.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+
+#include "renderer/base/error.h"
+#include "renderer/base/json.h"
+#include "renderer/opening/scene_look.h"
+#include "renderer/options/settings_json.h"
+#include "renderer/picture/image.h"
+#include "renderer/scenes/rig.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string ending_of(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+// Whatever it is called, or at least called so.
+bool is_png(const std::string& file) {
+  char begin[4] = {};
+  std::ifstream(file, std::ios::binary).read(begin, sizeof begin);
+  return std::string_view(begin, sizeof begin) == "\x89PNG" || ending_of(file) == ".png";
+}
+
+void require_file(const std::string& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  const auto refuse = [&](const std::string& what, const char* fix) {
+    throw Error(ExitCode::bad_input, file, what, fix);
+  };
+  if (error) refuse(fmt::format("cannot be read: {}", error.message()), "check the path");
+  if (fs::is_directory(status)) refuse("is a folder", "name a file in it");
+  if (!fs::is_regular_file(status)) refuse("is no file", "give one that is kept on disk");
+}
+
+FileOpening rig(const std::string& file) {
+  const size_t lights = rig_lights(file).size();
+  return {.file = file,
+          .settings =
+              [file](Settings now, const Scene&) {
+                now.lights.rig = file;
+                now.lights.source = LightSource::rig;
+                now.lights.only = -1;
+                return now;
+              },
+          .said = fmt::format("{}: {} light{}", file, lights, lights == 1 ? "" : "s")};
+}
+
+FileOpening state(const std::string& file, const DeviceLimits& limits) {
+  Settings s = read_state(file);
+  require_valid(s, limits);
+  if (!s.lights.rig.empty()) rig_lights(s.lights.rig);
+  return {.file = file,
+          .scene = s.scene,
+          .settings =
+              [s](const Settings& now, const Scene&) {
+                Settings out = s;
+                out.size = now.size;
+                return out;
+              },
+          .whole = true,
+          .said = fmt::format("{}: its settings are shown", file)};
+}
+
+// A rig's lights are a list; those of settings are options.
+bool is_rig(const std::string& file) {
+  const Json json = read_json(file);
+  return json.is_object() && json.contains("lights") && json["lights"].is_array();
+}
+
+}  // namespace
+
+Settings read_state(const std::string& file) {
+  if (!is_png(file)) return read_settings(file);
+  const std::string text = read_png_text(file, kSettingsKey);
+  if (text.empty())
+    throw Error(ExitCode::bad_input, file, "is a PNG without settings in it",
+                "give one that `render` or F12 wrote, as it was written");
+  return parse_settings(text, file);
+}
+
+FileOpening scene_opening(const std::string& name) {
+  return {.file = name, .scene = name, .settings = [name](const Settings& now, const Scene& scene) {
+            return moved_to(now, name, scene);
+          }};
+}
+
+FileOpening opening_of(const std::string& file, const DeviceLimits& limits) {
+  require_file(file);
+  const std::string ending = ending_of(file);
+  if (ending == ".gltf" || ending == ".glb") return scene_opening(file);
+  if (is_png(file)) return state(file, limits);
+  if (ending == ".json") return is_rig(file) ? rig(file) : state(file, limits);
+  throw Error(ExitCode::bad_input, file, "is nothing that this program opens",
+              "give a model (.gltf, .glb), settings or a rig (.json), or a picture with settings in it (.png)");
+}
+
+}  // namespace gbl
