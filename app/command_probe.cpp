@@ -71,8 +71,11 @@ void print_json(const PixelProbe& p, const PixelAccount& account, const Lab& lab
     const Json value = field.components == 1 ? Json(values[0]) : Json(values);
     json["decoded"].push_back({{"path", field.path}, {"value", value}, {"unit", field.unit}});
   });
-  json["truth"] = {
-      {"surface", account.surface}, {"object", account.object}, {"triangle", account.triangle}, {"tie", account.tie}};
+  json["truth"] = {{"surface", account.surface},
+                   {"object", account.seen.object},
+                   {"triangle", account.seen.triangle},
+                   {"tie", account.tie}};
+  json["shown"] = {{"object", account.shown.object}, {"triangle", account.shown.triangle}};
   json["against_truth"] = json_of(account.stored);
   json["lights"] = json_of(account.lights);
   json["sum"] = json_of(account.terms);
@@ -97,7 +100,7 @@ void print_lines(const std::vector<AccountLine>& lines, int first_off) {
 }
 
 void print_account(const PixelAccount& a) {
-  if (a.tie) fmt::print("\nan edge: frame and reference see different objects here; what follows is the reference's\n");
+  if (const std::string note = other_surface_note(a); !note.empty()) fmt::print("\n{}\n", note);
   if (!a.stored.empty()) fmt::print("\nagainst the reference in double precision\n");
   if (!a.stored.empty()) print_lines(a.stored, -1);
   if (a.surface)

@@ -20,6 +20,7 @@
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
+#include "ui/figure.h"
 
 namespace gbl {
 namespace {
@@ -82,26 +83,6 @@ class Writer {
   std::vector<std::string> written_;
 };
 
-std::string method_in_words(const FrameReport& r) {
-  if (r.method_reason.empty()) return row(r.drawn.lights.method).label;
-  return fmt::format("{} ({}: {})", row(r.drawn.lights.method).label, row(LightMethod::auto_).label, r.method_reason);
-}
-
-std::string cull_in_words(const Settings& s) {
-  return in_use(option("lights.cull"), s) ? fmt::format(" · cull {}", row(s.lights.cull).id) : "";
-}
-
-std::string in_words(const Settings& s, const FrameReport& r) {
-  const Preset* p = preset_of(s);
-  std::string text =
-      fmt::format("{} · {} · {} lights, {}{} · normal {} · {} + {} B/px", p ? p->label : s.scene, size_text(s.size),
-                  r.light_count, method_in_words(r), cull_in_words(s), row(s.normal.encoding).label,
-                  r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel);
-  if (r.pairs && r.pairs->lit && *r.pairs->lit > 0)
-    text += fmt::format(" · shaded ÷ lit {:.2f}", double(r.pairs->shaded) / double(*r.pairs->lit));
-  return text;
-}
-
 // Overlays are laid over the views that are asked for by name; else over the main one, as in the window.
 bool overlaid(const Arguments& a, const Lab& lab, View v) {
   return !needs_truth(v) && (!a.only.empty() || lab.is_main(v));
@@ -110,7 +91,7 @@ bool overlaid(const Arguments& a, const Lab& lab, View v) {
 ui::Sheet sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
   ui::Sheet sheet;
   sheet.title = "G-Buffer Lab";
-  sheet.caption = in_words(lab.drawn(), lab.report());
+  sheet.caption = ui::made_in_words(lab.drawn(), lab.report());
   for (const View v : views_shown) {
     if (!needs_truth(v)) lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
     sheet.tiles.push_back({v, lab.handle_of(v), "", overlaid(a, lab, v)});
@@ -174,7 +155,7 @@ ExitCode run_render(const Arguments& a) {
   if (a.json)
     fmt::print("{}\n", report_json(lab).dump(2));
   else
-    fmt::print("{}\n{} pictures{} and settings.json in {}\n", in_words(s, lab.report()), files.size(),
+    fmt::print("{}\n{} pictures{} and settings.json in {}\n", ui::made_in_words(s, lab.report()), files.size(),
                a.exr ? ", layers.exr" : "", folder.string());
   return ExitCode::done;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/figure_file.h"
 #include "app/imgui_screen.h"
 #include "app/load_stage.h"
 #include "app/picture_texts.h"
@@ -25,30 +26,6 @@ constexpr double kFrameSeconds = 1.0 / 60;  // pace while something happens
 constexpr double kMeasureSeconds = 0.001;   // pace of a study that nobody disturbs: each frame is a step of it
 constexpr double kQuietSeconds = 0.3;       // without a hand on the window before anything is measured beside it
 constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
-
-// "out/figure-003-normal.png": the first number that is free.
-std::filesystem::path free_figure_name(const Settings& s) {
-  for (int n = 1;; ++n) {
-    auto path = std::filesystem::path("out") / fmt::format("figure-{:03}-{}.png", n, s.view.main);
-    if (!std::filesystem::exists(path)) return path;
-  }
-}
-
-// The window's picture as seen, with the settings in it so that --state can bring it back.
-std::string save_figure(glm::ivec2 size, const Settings& s, const Machine& machine) {
-  try {
-    std::vector<uint8_t> pixels(4u * size.x * size.y);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-    make_folder("out");
-    const std::filesystem::path path = free_figure_name(s);
-    write_png(path, image_from_gl_rows(size, std::move(pixels)), picture_texts("gbufferlab view", s, machine));
-    return fmt::format("saved {}", path.string());
-  } catch (const Error& e) {
-    return e.what();
-  }
-}
 
 // ImGui's GLFW back-end for as long as the window runs.
 struct GlfwBackend {
@@ -182,7 +159,8 @@ class Loop {
     renamed.scene = settings_.scene;
     if (settings_.scene != before.scene && settings_ == renamed)
       viewer_.open_scene(std::exchange(settings_.scene, before.scene));
-    if (requests.save_figure) viewer_.say(save_figure(size, settings_, lab_.machine()));
+    if (requests.figure) viewer_.say(save_figure(*requests.figure, size, screen_, settings_, lab_.machine()));
+    if (requests.copy_command) copy_command();
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
@@ -190,6 +168,12 @@ class Loop {
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
     if (keeper_.due(input.seconds)) keeper_.keep(session(), input.seconds), say_trouble();
+  }
+
+  void copy_command() {
+    const std::string line = command_line("gbufferlab render", settings_);
+    glfwSetClipboardString(window_.handle(), line.c_str());
+    viewer_.say(fmt::format("copied: {}", line));
   }
 
   // Not every event is a hand's: the window system has its own.

@@ -77,9 +77,10 @@ void Comparer::draw_b(View main) {
   b.size = lab_.cost().affordable_size(*frame, b.size, kSlowestMs);
   if (!targets_) targets_ = std::make_unique<Targets>();
   lab_.renderer().render(b, *lab_.gpu_scene(), *targets_);
-  lab_.renderer().draw_view(
-      main, b, *lab_.gpu_scene(), *targets_,
-      {.stats = lab_.stats_of(main), .stats_of = [this](View v) { return lab_.stats_of(v); }, .overlays = true});
+  lab_.renderer().draw_view(main, b, *lab_.gpu_scene(), *targets_,
+                            {.stats = lab_.stats_of(main),
+                             .stats_of = [this](View v) { return lab_.stats_of(v); },
+                             .overlays = !asked_->difference});
 }
 
 const gl::Texture* Comparer::picture_of_b(View main) {

@@ -4,6 +4,7 @@
 
 #include "renderer/opening/scene_look.h"
 #include "renderer/passes/float_rows.h"
+#include "renderer/truth/ties.h"
 
 namespace gbl {
 
@@ -69,6 +70,7 @@ std::vector<glm::vec4> Lab::numbers_of(View v) {
     truth = truths_.get(renderer_, *gpu_scene_, drawn_, true);
     options.truth = &truth->textures;
     if (v == View::error) renderer_.draw_errors(drawn_, *gpu_scene_, targets_, truth->textures);
+    judged_by_ = truth;
   }
   renderer_.draw_numbers(v, drawn_, *gpu_scene_, targets_, {{0, 0}, {1, 1}, drawn_.size}, options);
   return rows_from_top<glm::vec4>(drawn_.size, gl::read_rgba32f(targets_.canvases.numbers().texture));
@@ -91,7 +93,10 @@ std::optional<PixelAccount> Lab::account(const PixelProbe& probe, bool wait) {
   if (!truth) return {};
   const size_t i =
       static_cast<size_t>(probe.pixel.y) * static_cast<size_t>(drawn_.size.x) + static_cast<size_t>(probe.pixel.x);
-  return account_of(targets_.drawn->settings, scene(), truth->texels[i], probe);
+  const SeenSurface shown = renderer_.surface_at(drawn_, *gpu_scene_, targets_, probe.pixel);
+  PixelAccount account = account_of(targets_.drawn->settings, scene(), truth->texels[i], probe);
+  account.shown = shown, account.tie = is_tie(truth->truth, i, shown);
+  return account;
 }
 
 bool Lab::shades_pixels() const { return shading_of(report_.drawn.lights.method) != Shading::forward; }
@@ -106,6 +111,7 @@ bool Lab::draw_truth_view(View view, bool wait) {
   const TruthTextures& textures = truth->textures;
   if (view == View::error) {
     renderer_.draw_errors(drawn_, *gpu_scene_, targets_, textures);
+    judged_by_ = truth;
     if (wait) return take_error_stats(true);
   }
   const double range = error_stats_ ? error_stats_->range : 1;  // of the frame before, until this one's answer is here
@@ -116,8 +122,10 @@ bool Lab::draw_truth_view(View view, bool wait) {
 bool Lab::take_error_stats(bool wait) {
   const std::vector<float>* errors = targets_.reads.error.take(wait);
   if (!errors) return false;
+  std::vector<float> marked = *errors;
+  if (mark_ties(judged_by_->truth, marked)) gl::write_texels(targets_.canvases.errors().texture, marked.data());
   const Settings::View::Error& e = drawn_.view.error;
-  error_stats_ = gbl::error_stats(e.of, drawn_.size, *errors, e.range);
+  error_stats_ = gbl::error_stats(e.of, drawn_.size, marked, e.range);
   renderer_.draw_view(View::error, drawn_, *gpu_scene_, targets_, {.error_range = error_stats_->range});
   return true;
 }

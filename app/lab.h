@@ -89,6 +89,7 @@ class Lab {
   Settings drawn_;
   FrameReport report_;
   TruthKeeper truths_;
+  std::shared_ptr<const TruthSet> judged_by_;  // of the errors that are under way
   std::optional<ErrorStats> error_stats_;
   ViewMeter meter_;
   gl::AsyncRead numbers_;

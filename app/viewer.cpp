@@ -168,7 +168,10 @@ void Viewer::ask_stats(View view) {
 }
 
 void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
-  const bool overlays_changed = !(drawn_part(s.view) == drawn_part(view_drawn_)) || s.view.main != view_drawn_.main;
+  // A difference is one of what lies below the overlays.
+  const bool laid_over = !(requests.compare && requests.compare->difference);
+  const bool overlays_changed = !(drawn_part(s.view) == drawn_part(view_drawn_)) || s.view.main != view_drawn_.main ||
+                                std::exchange(laid_over_, laid_over) != laid_over;
   if (all) asked_stats_.fill(false);
   take_stats(requests);
   for (int v = 0; v < kViewCount; ++v) {
@@ -178,7 +181,7 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
     const bool stale = all || !fresh_[v] || looks_changed || ((main || was_main) && overlays_changed);
     if (needs_truth(view) || !requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
     lab_.look_at(s.view);
-    lab_.draw_view(view, {.overlays = main});
+    lab_.draw_view(view, {.overlays = main && laid_over});
     fresh_[v] = true;
     main_drawn_ |= main;
     if (main || follows_picture(view, s.view)) ask_stats(view);

@@ -1,5 +1,7 @@
-// How far what is drawn is from the truth, with its sign: of the channel that is off most. a = 1 where a surface is.
+// How far what is drawn is from the truth, with its sign: of the channel that is off most. gb: the surface that the frame
+// shows. a = 1 where a surface is.
 #include "gbuffer_read.glsl"
+#include "frame_surface.glsl"
 
 uniform sampler2D truth_lit;    // a = 1 where a surface is
 uniform sampler2D truth_value;  // what ERROR_OF names
@@ -51,5 +53,5 @@ float error_at(ivec2 texel) {
 void main() {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   float present = texelFetch(truth_lit, texel, 0).a;
-  error = vec4(present > 0.5 ? error_at(texel) : 0.0, 0.0, 0.0, present);
+  error = vec4(present > 0.5 ? error_at(texel) : 0.0, frame_surface(texel), present);
 }

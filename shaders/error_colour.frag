@@ -3,6 +3,7 @@ uniform sampler2D errors;
 uniform vec3 stops[COLOUR_STOPS];
 uniform float range;
 uniform vec3 empty_colour;
+uniform vec3 tie_colour;
 layout(location = 0) out vec4 picture;
 
 void main() {
@@ -11,6 +12,8 @@ void main() {
     picture = vec4(empty_colour, 1.0);
   } else if (!(abs(e.r) < 3.0e38)) {
     picture = vec4(1.0, 0.0, 1.0, 1.0);  // not a number, or without bound: never shown as black
+  } else if (e.a > 1.5) {
+    picture = vec4(tie_colour, 1.0);
   } else {
 #if SIGNED
     float t = 0.5 + 0.5 * e.r / range;

@@ -202,7 +202,10 @@ void quit(FrameContext& f, const KeyEvent&) { f.requests.quit = true; }
 void reveal_answer(FrameContext& f, const KeyEvent&) {
   if (f.state.lesson) f.state.lesson->revealed = true;
 }
-void save_figure(FrameContext& f, const KeyEvent&) { f.requests.save_figure = true; }
+void toggle_white_figures(FrameContext& f, const KeyEvent&) {
+  f.state.white_figures = !f.state.white_figures;
+  say(f, {f.state.white_figures ? "Figures stand on white." : "Figures stand on dark.", ""});
+}
 
 void toggle_navigation(FrameContext& f, const KeyEvent&) {
   ImGuiIO& io = ImGui::GetIO();

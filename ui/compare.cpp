@@ -252,6 +252,18 @@ void draw_comparison(FrameContext& f, const Box& panel) {
   f.painter.list().PopClipRect();
 }
 
+std::string comparison_in_words(const FrameContext& f) {
+  const Comparison& c = f.state.comparison;
+  if (!shown(f) || !c.has_b()) return "";
+  const char* how = c.mode == CompareMode::wipe           ? "left and right of the line"
+                    : c.mode == CompareMode::side_by_side ? "side by side"
+                                                          : "difference in codes of the display";
+  std::string text = fmt::format("{}   {}   {}", how, label_of(f, true), label_of(f, false));
+  if (c.mode == CompareMode::difference && f.input.compare && f.input.compare->stats)
+    text += "   " + numbers_of(*f.input.compare->stats);
+  return text;
+}
+
 void ask_comparison(FrameContext& f) {
   const Comparison& c = f.state.comparison;
   if (!shown(f) || !c.has_b()) return;

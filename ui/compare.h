@@ -40,5 +40,6 @@ Box box_of_a(const FrameContext&, const Box& panel);
 void use_wipe(FrameContext&);                           // its handle: before what lies below it
 void draw_comparison(FrameContext&, const Box& panel);  // B, the difference, line and labels over the main picture
 void ask_comparison(FrameContext&);
+std::string comparison_in_words(const FrameContext&);  // empty: nothing is compared
 
 }  // namespace gbl::ui

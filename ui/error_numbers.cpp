@@ -25,8 +25,10 @@ void draw_histogram(Painter& p, const Box& box, const ErrorStats& stats) {
 }
 
 std::string numbers_text(const ErrorStats& e) {
-  std::string text = fmt::format("largest {:.3g}   p99 {:.3g}   mean {:.3g}   signed mean {:+.2g}   {}", e.max, e.p99,
-                                 e.mean, e.signed_mean, unit_of(e.of));
+  const std::string left_out =
+      e.ties == 0 ? "" : fmt::format(" ({} edge pixel{} left out)", e.ties, e.ties == 1 ? "" : "s");
+  std::string text = fmt::format("largest {:.3g}{}   p99 {:.3g}   mean {:.3g}   signed mean {:+.2g}   {}", e.max,
+                                 left_out, e.p99, e.mean, e.signed_mean, unit_of(e.of));
   if (e.nonfinite > 0) text += fmt::format("   {} {} pixels are not finite", kUnsoundSign, e.nonfinite);
   return text;
 }

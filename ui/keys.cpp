@@ -7,6 +7,7 @@
 #include "renderer/options/options.h"
 #include "ui/commands.h"
 #include "ui/compare.h"
+#include "ui/figure.h"
 #include "ui/key_spec.h"
 #include "ui/state.h"
 
@@ -44,7 +45,11 @@ constexpr KeyCommand kCommands[] = {
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F8", "exposure.meter", "meter the exposure from what the lights do on the surfaces that are seen", meter_light},
-    {"F12", "figure", "save what is on screen as a figure", save_figure},
+    {"Shift F12", "figure.window", "save the whole window", save_window},
+    {"Ctrl+F12", "figure.white", "captions of figures on white, or on dark again", toggle_white_figures},
+    {"F12", "figure", "save the chosen panel exactly as shown, with a caption", save_panel},
+    {"Ctrl+Shift C", "copy.command", "the command line that draws this picture, onto the clipboard", copy_command},
+    {"Ctrl+C", "copy.values", "the pixel's values, onto the clipboard", copy_values},
     {"+ -", "ui.scale", "larger or smaller type", scale_type, true},
     {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",
      nullptr},

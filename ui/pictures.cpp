@@ -164,8 +164,9 @@ void draw_pictures(FrameContext& f) {
   if (!covered(f, main) && !f.state.hidden) {
     draw_texts_on_main(f, main);
     draw_error_numbers(f, main);
-    draw_view_tools(f);
+    if (!f.state.saving_panel) draw_view_tools(f);
   }
+  ask_figure(f);
   ask_comparison(f);
   f.requests.probe = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
 }

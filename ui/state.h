@@ -85,9 +85,11 @@ struct State {
   std::optional<glm::dvec2> held_at;        // 0..1 across the frame: a pixel held stays when the frame's size changes
   std::array<std::optional<Zoom>, kViewCount> own_zoom;  // of panels that are not linked to the others
   std::optional<View> panning;                           // by the middle button
-  bool histogram = false;                                // of the large view
-  std::optional<glm::dvec2> held_before;                 // the last click
-  std::optional<View> focused;                           // has the panel keys
+  bool saving_panel = false;                             // in this frame: without what is no part of the picture
+  bool white_figures = false;
+  bool histogram = false;                 // of the large view
+  std::optional<glm::dvec2> held_before;  // the last click
+  std::optional<View> focused;            // has the panel keys
   std::vector<std::string> cut_texts;
 };
 
@@ -129,6 +131,8 @@ size_t pages_of(const Settings& stored);
 void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
 void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
+
+void ask_figure(FrameContext&);  // of the main panel, if a key has asked for it
 
 // ---- looking closely (view_tools.cpp) --------------------------------------------------------------
 Zoom zoom_of(const FrameContext&, View);

@@ -77,10 +77,20 @@ struct PixelNumbers {
   std::vector<glm::vec4> values;  // rows top to bottom
 };
 
+// A part of the window's picture as seen, with a caption below; without a size: all of the window, and no caption.
+struct Figure {
+  glm::ivec2 first{0}, size{0};      // screen pixels from the top left
+  std::vector<std::string> caption;  // lines; the first is larger
+  bool white = false;                // paper, else dark
+};
+int caption_height(const Figure&);  // pixels that draw_caption needs, in an ImGui frame
+void draw_caption(const Figure&);   // over the whole display
+
 // Carried out by the app after the frame.
 struct Requests {
   bool reload_shaders = false;
-  bool save_figure = false;  // the window's picture, as seen
+  std::optional<Figure> figure;  // to be saved
+  bool copy_command = false;     // the command line that draws this picture, onto the clipboard
   bool quit = false;
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels

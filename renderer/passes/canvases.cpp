@@ -23,6 +23,7 @@ Canvas make_canvas(const gl::TextureDesc& desc, const gl::Texture* depth) {
 void Canvases::forget(glm::ivec2 new_size) {
   for (auto* c : {&composed_, &ids_, &counts_}) c->reset();  // they share depth attachments
   counts_with_depth_ = {}, counts_depth_ = {};
+  surfaces_.reset();
   if (size_ == new_size) return;
   for (auto& v : views_) v.reset();
   for (auto* c : {&counts_lit_, &count_sums_, &unblurred_, &errors_, &redrawn_counts_, &redrawn_triangles_}) c->reset();
@@ -90,6 +91,15 @@ Canvas& Canvases::unblurred() {
 }
 Canvas& Canvases::ids(const FrameTextures& frame) {
   return made(ids_, {.size = size_, .format = Format::r32ui, .label = "ids"}, frame.texture(Stores::depth));
+}
+Canvases::Surfaces& Canvases::surfaces(const FrameTextures& frame) {
+  if (surfaces_) return *surfaces_;
+  Surfaces& s = surfaces_.emplace();
+  s.seen = gl::make_texture({.size = size_, .format = Format::rgba32f, .label = "surfaces"});
+  s.depth =
+      gl::make_texture({.size = size_, .format = frame.texture(Stores::depth)->format, .label = "surfaces.depth"});
+  s.framebuffer = gl::make_framebuffer({.colours = {&s.seen}, .depth = &s.depth, .label = "surfaces"});
+  return s;
 }
 Canvas& Canvases::counts_lit() {
   return made(counts_lit_, {.size = size_, .format = Format::r32f, .label = "counts.lit"});

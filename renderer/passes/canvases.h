@@ -14,7 +14,9 @@ class Canvases {
  public:
   // The frame's textures were remade: some of these share its depth, all have its size.
   void forget(glm::ivec2 new_size);
-  void next_frame() { composed_valid = counts_valid = counts_lit_valid = ids_valid = redrawn_valid = false; }
+  void next_frame() {
+    composed_valid = counts_valid = counts_lit_valid = ids_valid = surfaces_valid = redrawn_valid = false;
+  }
 
   Canvas& view(View);                    // RGBA8
   void show_squares(bool);               // their pixels, where they are magnified; else smooth
@@ -36,7 +38,13 @@ class Canvases {
   Canvas& count_sums();               // the reduction
   Canvas& probe();
   Canvas& numbers(glm::ivec2 size);  // RGBA32F: a view's numbers
-  Canvas& errors();                  // RGBA32F: signed error, -, -, 1 where a surface is
+  Canvas& errors();                  // RGBA32F: see renderer/truth/error_stats.h
+  // RGBA32F: object from 1, triangle from 0, drawn anew with a depth like the frame's
+  struct Surfaces {
+    gl::Texture seen, depth;
+    gl::Framebuffer framebuffer;
+  };
+  Surfaces& surfaces(const FrameTextures&);
   // Those that are made already:
   const Canvas& counts() const { return *counts_; }
   const Canvas& ids() const { return *ids_; }
@@ -44,13 +52,15 @@ class Canvases {
   const Canvas& numbers() const { return *numbers_; }
 
   // Of the frame drawn last:
-  bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false, redrawn_valid = false;
+  bool composed_valid = false, counts_valid = false, counts_lit_valid = false, ids_valid = false;
+  bool surfaces_valid = false, redrawn_valid = false;
 
  private:
   glm::ivec2 size_{0};
   std::array<std::optional<Canvas>, kViewCount> views_;
   std::optional<Canvas> redrawn_counts_, redrawn_triangles_;
   std::optional<Canvas> composed_, counts_, counts_lit_, count_sums_, probe_, unblurred_, ids_, errors_, numbers_;
+  std::optional<Surfaces> surfaces_;
   bool squares_ = false;
   const gl::Texture& redrawn_depth();
   gl::Texture counts_depth_, composed_depth_, redrawn_depth_;

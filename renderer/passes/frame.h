@@ -11,6 +11,7 @@
 #include "renderer/passes/programs.h"
 #include "renderer/passes/shapes.h"
 #include "renderer/passes/targets.h"
+#include "renderer/truth/truth.h"
 
 namespace gbl {
 
@@ -81,9 +82,11 @@ class Renderer {
   // For the reference and the measures (renderer/passes/judging.h):
   // which triangle each pixel sees and its texels, into four float targets; of any settings, drawn or not
   void draw_seen(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
-  // normal and position as the lighting decodes them
+  // the surface that the frame shows at a pixel (origin top left); waits for the GPU
+  SeenSurface surface_at(const Settings&, const GpuScene&, Targets&, glm::ivec2 pixel);
+  // normal and position as the lighting decodes them, and the surface that the frame shows
   void draw_decoded(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
-  // how far the frame is from the truth, into targets.canvases.errors(), and begins to read it back
+  // how far the frame is from the truth, with the surface that it shows, into targets.canvases.errors(), and begins to read it back
   void draw_errors(const Settings&, const GpuScene&, Targets&, const TruthTextures&);
 
   // Two pictures against each other: A - B in codes, of the channel that is off most, into RGBA32F; and its colours.
@@ -97,6 +100,8 @@ class Renderer {
   void reload_shaders() { programs_.reload(); }
 
  private:
+  // What these settings draw in front, once per frame drawn, bound for shaders/frame_surface.glsl.
+  const Canvases::Surfaces& draw_surfaces(const Settings&, const GpuScene&, Targets&);
   // With its facts uploaded: views, counts and probes may follow a frame of other settings on the same device, so each
   // of them uploads anew, a few hundred bytes.
   Frame frame_of(const Settings&, const GpuScene&, Targets&);

@@ -115,6 +115,7 @@ bool TruthMaker::take_texels(const GpuScene& scene, bool wait) {
   reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(texels));
   work_ = std::async(std::launch::async, [this] {
     triangles_replaced_ = reference_->check_texels();
+    reference_->find_rivals(&cancel_);
     return reference_->run(threads_, &cancel_);
   });
   return true;
@@ -153,9 +154,12 @@ Drawn read_drawn(Renderer& renderer, const Settings& drawn, const GpuScene& scen
   gl::Texture position = gl::make_texture({.size = drawn.size, .format = Format::rgba32f, .label = "decoded.position"});
   const gl::Framebuffer into = gl::make_framebuffer({.colours = {&normal, &position}, .label = "decoded"});
   renderer.draw_decoded(drawn, scene, targets, into);
-  if (shading_of(drawn.lights.method) != Shading::forward)
-    out.normal = rows_from_top<glm::vec3>(drawn.size, gl::read_rgba32f(normal));
-  out.position = rows_from_top<glm::vec3>(drawn.size, gl::read_rgba32f(position));
+  const auto normals = rows_from_top<glm::vec4>(drawn.size, gl::read_rgba32f(normal));
+  const auto positions = rows_from_top<glm::vec4>(drawn.size, gl::read_rgba32f(position));
+  if (shading_of(drawn.lights.method) != Shading::forward) out.normal.assign(normals.begin(), normals.end());
+  out.position.assign(positions.begin(), positions.end());
+  for (size_t i = 0; i < normals.size(); ++i)
+    out.seen.push_back({static_cast<int>(normals[i].w), static_cast<int>(positions[i].w)});
   if (!unlit) return out;
   Settings dark = drawn;
   dark.lights.first = 0;

@@ -1,9 +1,11 @@
 // What the reference needs to see, what the measures need decoded, and the two views that show the truth.
+#include <bit>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/passes/judging.h"
 #include "renderer/passes/objects.h"
 #include "renderer/picture/colour_map.h"
+#include "renderer/truth/error_stats.h"
 
 namespace gbl {
 namespace {
@@ -35,6 +37,7 @@ void colour_errors(ProgramCache& programs, Shapes& shapes, const gl::Texture& er
   glUseProgram(program.id());
   glUniform3fv(program.uniform("stops"), count, glm::value_ptr(stops[0]));
   glUniform1f(program.uniform("range"), static_cast<float>(range));
+  glUniform3fv(program.uniform("tie_colour"), 1, glm::value_ptr(kTieColour));
   glUniform3fv(program.uniform("empty_colour"), 1, glm::value_ptr(row(View::error).empty_colour));
   shapes.draw_fullscreen();
 }
@@ -70,7 +73,27 @@ void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targ
   draw_objects(frame, draws, "seen.frag", defines, {}, Corners::numbered);
 }
 
+const Canvases::Surfaces& Renderer::draw_surfaces(const Settings& s, const GpuScene& scene, Targets& targets) {
+  Canvases::Surfaces& surfaces = targets.canvases.surfaces(targets.frame);
+  if (!targets.canvases.surfaces_valid) draw_seen(s, scene, targets, surfaces.framebuffer);
+  targets.canvases.surfaces_valid = true;
+  gl::bind_texture("surfaces", surfaces.seen);
+  gl::bind_texture("surfaces_depth", surfaces.depth);
+  return surfaces;
+}
+
+SeenSurface Renderer::surface_at(const Settings& s, const GpuScene& scene, Targets& targets, glm::ivec2 pixel) {
+  const Canvases::Surfaces& surfaces = draw_surfaces(s, scene, targets);
+  const gl::Texture* const textures[] = {&surfaces.seen, &surfaces.depth, targets.frame.texture(Stores::depth)};
+  gl::AsyncTexels read;
+  read.start(textures, {pixel.x, s.size.y - 1 - pixel.y});
+  const std::vector<std::array<uint32_t, 4>> bits = read.take(true).value();
+  if (bits[1] != bits[2]) return {-1, -1};
+  return {static_cast<int>(std::bit_cast<float>(bits[0][0])), static_cast<int>(std::bit_cast<float>(bits[0][1]))};
+}
+
 void Renderer::draw_decoded(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {
+  draw_surfaces(s, scene, targets);
   const Frame frame = frame_of(s, scene, targets);
   begin_drawing(into, s.size, {});
   bind_gbuffer(frame);
@@ -79,6 +102,7 @@ void Renderer::draw_decoded(const Settings& s, const GpuScene& scene, Targets& t
 }
 
 void Renderer::draw_errors(const Settings& s, const GpuScene& scene, Targets& targets, const TruthTextures& truth) {
+  draw_surfaces(s, scene, targets);
   const Frame frame = frame_of(s, scene, targets);
   Canvas& canvas = targets.canvases.errors();
   begin_drawing(canvas.framebuffer, s.size, {});

@@ -4,14 +4,11 @@
 #include <optional>
 
 #include "renderer/base/error.h"
+#include "renderer/truth/ties.h"
 #include "renderer/truth/visible_triangles.h"
 
 namespace gbl {
 namespace {
-
-// A rasteriser snaps corners to 1/256 of a pixel, and float arithmetic moves them by less than that.
-constexpr double kSnapPx = 1.0 / 16;
-constexpr double kSameRange = 1e-4;  // of the range: depth steps and coplanar surfaces
 
 class Checker {
  public:
@@ -46,9 +43,9 @@ class Checker {
 
   // Can this triangle be what the pixel shows, and before `nearest`, if there is one?
   bool may_be_seen(glm::ivec2 pixel, const Triangle& named, const Triangle* nearest) const {
-    if (beside_px(pixel, named) > kSnapPx) return false;
+    if (beside_px(pixel, named) > kRasterPx) return false;
     if (!nearest || range_at(pixel, named) <= (1 + kSameRange) * range_at(pixel, *nearest)) return true;
-    return nearest->masked || border_px(pixel, *nearest) <= kSnapPx;
+    return nearest->masked || border_px(pixel, *nearest) <= kRasterPx;
   }
 
  private:

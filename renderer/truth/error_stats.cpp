@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/picture/colour_map.h"
+#include "renderer/truth/ties.h"
 
 namespace gbl {
 namespace {
@@ -27,15 +28,27 @@ const char* unit_of(ErrorOf of) {
   return "";
 }
 
+bool mark_ties(const Truth& truth, std::vector<float>& errors) {
+  const auto width = static_cast<size_t>(truth.size.x), height = static_cast<size_t>(truth.size.y);
+  bool marked = false;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    float* e = &errors[4 * ((height - 1 - i / width) * width + i % width)];
+    if (e[3] < 0.5f || !std::isfinite(e[0])) continue;
+    if (!is_tie(truth, i, {static_cast<int>(e[1]), static_cast<int>(e[2])})) continue;
+    e[3] = kTie, marked = true;
+  }
+  return marked;
+}
+
 ErrorStats error_stats(ErrorOf of, glm::ivec2 size, const std::vector<float>& errors, double fixed_range) {
   ErrorStats out;
   out.of = of;
   std::vector<double> magnitudes;
   double sum = 0, signed_sum = 0;
-  const auto look_at = [&](glm::ivec2 pixel, double e) {
-    ++out.compared;
+  const auto look_at = [&](glm::ivec2 pixel, double e, bool tie) {
+    ++out.compared, out.ties += tie;
     const double magnitude = std::isfinite(e) ? std::abs(e) : INFINITY;
-    if (magnitude > out.max || out.worst.x < 0) out.max = magnitude, out.worst = pixel;
+    if (!tie && (magnitude > out.max || out.worst.x < 0)) out.max = magnitude, out.worst = pixel;
     if (!std::isfinite(e)) {
       ++out.nonfinite;
       return;
@@ -47,7 +60,7 @@ ErrorStats error_stats(ErrorOf of, glm::ivec2 size, const std::vector<float>& er
     for (int x = 0; x < size.x; ++x) {
       const float* e =
           &errors[4 * (static_cast<size_t>(size.y - 1 - y) * static_cast<size_t>(size.x) + static_cast<size_t>(x))];
-      if (e[3] > 0.5f) look_at({x, y}, e[0]);
+      if (e[3] > 0.5f) look_at({x, y}, e[0], e[3] == kTie);
     }
   if (magnitudes.empty()) return out;
   const auto n = static_cast<double>(magnitudes.size());
@@ -68,6 +81,7 @@ Legend error_legend(const ErrorStats& stats, ErrorScale scale) {
   const size_t last = stops.size() - 1;
   const size_t step = with_sign ? last / 2 : last / 4;  // labels at both ends and at round parts between
   Legend bar{true, {}, {{"no surface", kSkyColour}}};
+  if (stats.ties > 0) bar.apart.push_back({"edge: either surface", kTieColour});
   if (stats.nonfinite > 0) bar.apart.push_back({"not finite", {1, 0, 1}});
   for (size_t i = 0; i <= last; ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(last);

@@ -1,5 +1,6 @@
 #include "renderer/truth/measure.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -7,6 +8,7 @@
 #include "renderer/truth/flip.h"
 #include "renderer/truth/pixel_maths.h"
 #include "renderer/truth/tally.h"
+#include "renderer/truth/ties.h"
 
 namespace gbl {
 namespace {
@@ -19,7 +21,7 @@ constexpr ErrorColumn kColumns[] = {
     {"over_1_255_display", "", "share of pixels off by more than 1/255 as displayed", &Errors::over_1_255_display, ErrorKind::share},
     {"over_half_255_display", "", "share of pixels off by more than 0.5/255 as displayed", &Errors::over_half_255_display, ErrorKind::share},
     {"over_1_255_linear", "", "share of pixels off by more than 1/255 of radiance", &Errors::over_1_255_linear, ErrorKind::share},
-    {"max_linear", "radiance", "largest difference of a channel", &Errors::max_linear},
+    {"max_linear", "radiance", "largest difference of a channel; ties are left out", &Errors::max_linear},
     {"p99_linear", "radiance", "99th percentile of it", &Errors::p99_linear},
     {"rmse_linear", "radiance", "root mean square", &Errors::rmse_linear},
     {"mae_linear", "radiance", "mean absolute difference", &Errors::mae_linear},
@@ -30,14 +32,15 @@ constexpr ErrorColumn kColumns[] = {
     {"normal_deg_mean", "degrees", "angle to the true normal, mean", &Errors::normal_deg_mean},
     {"normal_deg_p50", "degrees", "median", &Errors::normal_deg_p50},
     {"normal_deg_p99", "degrees", "99th percentile", &Errors::normal_deg_p99},
-    {"normal_deg_max", "degrees", "largest", &Errors::normal_deg_max},
+    {"normal_deg_max", "degrees", "largest; ties are left out", &Errors::normal_deg_max},
     {"position_mean", "units", "distance to the true point, mean", &Errors::position_mean},
     {"position_p99", "units", "99th percentile", &Errors::position_p99},
-    {"position_max", "units", "largest", &Errors::position_max},
+    {"position_max", "units", "largest; ties are left out", &Errors::position_max},
     {"nonfinite_pixels", "", "pixels with NaN or infinity", &Errors::nonfinite_pixels},
     {"lost_pixels", "", "pixels with less than half their light", &Errors::lost_pixels},
     {"doubled_pixels", "", "pixels with more than one and a half times their light", &Errors::doubled_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
+    {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
     {"compared_pixels", "", "pixels with a surface: those that are judged", &Errors::compared_pixels, ErrorKind::basis},
 };
 // clang-format on
@@ -52,9 +55,25 @@ size_t count_compared(const Truth& truth) {
   return count;
 }
 
+// Of each pixel, whether it is a tie.
+class Ties {
+ public:
+  Ties(const Truth& truth, const std::vector<SeenSurface>& seen) {
+    for (size_t i = 0; i < seen.size(); ++i) ties_.push_back(truth.present[i] && is_tie(truth, i, seen[i]));
+  }
+  bool at(size_t pixel) const { return !ties_.empty() && ties_[pixel]; }
+  std::optional<double> count() const {
+    if (ties_.empty()) return std::nullopt;
+    return static_cast<double>(std::count(ties_.begin(), ties_.end(), true));
+  }
+
+ private:
+  std::vector<bool> ties_;  // empty: what the frame shows is not known, so none is excused
+};
+
 // ---- lit, linear ----------------------------------------------------------------------------------------------------
 
-void measure_radiance(Errors& e, const Truth& truth, const std::vector<glm::vec3>& lit) {
+void measure_radiance(Errors& e, const Truth& truth, const std::vector<glm::vec3>& lit, const Ties& ties) {
   Tally largest;
   Mean square, magnitude, with_sign, relative;
   size_t over = 0, compared = 0;
@@ -63,7 +82,7 @@ void measure_radiance(Errors& e, const Truth& truth, const std::vector<glm::vec3
     const glm::dvec3 d = glm::dvec3(lit[i]) - truth.lit[i];
     const double most = largest_magnitude(d);
     ++compared, over += most > kCode;
-    largest.add(most);
+    largest.add(most, ties.at(i));
     for (int k = 0; k < 3 && finite(d); ++k) {
       square.add(d[k] * d[k]), magnitude.add(std::abs(d[k])), with_sign.add(d[k]);
       relative.add(d[k] * d[k] / (truth.lit[i][k] * truth.lit[i][k] + kRelmseDark));
@@ -141,18 +160,18 @@ double normal_error_deg(const glm::dvec3& normal, const glm::dvec3& expected) {
   return glm::degrees(std::atan2(glm::length(glm::cross(normal, expected)), glm::dot(normal, expected)));
 }
 
-void measure_normals(Errors& e, const Truth& truth, const std::vector<glm::vec3>& normal) {
+void measure_normals(Errors& e, const Truth& truth, const std::vector<glm::vec3>& normal, const Ties& ties) {
   Tally angles_deg;
   for (size_t i = 0; i < truth.pixels(); ++i)
-    if (truth.present[i]) angles_deg.add(normal_error_deg(normal[i], truth.normal[i]));
+    if (truth.present[i]) angles_deg.add(normal_error_deg(normal[i], truth.normal[i]), ties.at(i));
   e.normal_deg_mean = angles_deg.mean(), e.normal_deg_max = angles_deg.max();
   e.normal_deg_p50 = angles_deg.percentile(0.5), e.normal_deg_p99 = angles_deg.percentile(0.99);
 }
 
-void measure_positions(Errors& e, const Truth& truth, const std::vector<glm::vec3>& position) {
+void measure_positions(Errors& e, const Truth& truth, const std::vector<glm::vec3>& position, const Ties& ties) {
   Tally distances;
   for (size_t i = 0; i < truth.pixels(); ++i)
-    if (truth.present[i]) distances.add(glm::length(glm::dvec3(position[i]) - truth.position[i]));
+    if (truth.present[i]) distances.add(glm::length(glm::dvec3(position[i]) - truth.position[i]), ties.at(i));
   e.position_mean = distances.mean(), e.position_p99 = distances.percentile(0.99), e.position_max = distances.max();
 }
 
@@ -168,16 +187,19 @@ glm::dvec3 displayed(const Display& display, const glm::dvec3& radiance) {
 Errors measure(const Truth& truth, const Drawn& drawn, const Display& display) {
   for ([[maybe_unused]] const auto* list : {&drawn.lit, &drawn.unlit, &drawn.normal, &drawn.position})
     assert(list->empty() || list->size() == truth.pixels());
+  assert(drawn.seen.empty() || drawn.seen.size() == truth.pixels());
+  const Ties ties(truth, drawn.seen);
   Errors e;
+  e.tie_pixels = ties.count();
   const size_t compared = count_compared(truth);
   e.compared_pixels = static_cast<double>(compared);
   if (!drawn.lit.empty()) {
     count_nonfinite_and_background(e, truth, drawn.lit);
-    if (compared > 0) measure_radiance(e, truth, drawn.lit), measure_display(e, truth, drawn.lit, display);
+    if (compared > 0) measure_radiance(e, truth, drawn.lit, ties), measure_display(e, truth, drawn.lit, display);
     if (compared > 0 && !drawn.unlit.empty()) count_lost_and_doubled(e, truth, drawn);
   }
-  if (!drawn.normal.empty()) measure_normals(e, truth, drawn.normal);
-  if (!drawn.position.empty()) measure_positions(e, truth, drawn.position);
+  if (!drawn.normal.empty()) measure_normals(e, truth, drawn.normal, ties);
+  if (!drawn.position.empty()) measure_positions(e, truth, drawn.position, ties);
   return e;
 }
 

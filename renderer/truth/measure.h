@@ -18,7 +18,8 @@ glm::dvec3 displayed(const Display&, const glm::dvec3& radiance);
 
 // Empty: nothing to measure (no surface is seen, or the attachment is not stored). Non-finite pixels are counted in
 // nonfinite_pixels; for shares they are over every bound, from means and percentiles they are left out (FLIP's mean
-// takes 1, its largest, instead), and a maximum is infinite.
+// takes 1, its largest, instead), and a maximum is infinite. A tie counts in everything but the maxima, where one such
+// pixel would hide all others; one that is not finite counts there, too.
 struct Errors {
   std::optional<double> over_1_255_display, over_half_255_display, over_1_255_linear;  // shares, 0..1
   std::optional<double> max_linear, p99_linear, rmse_linear, mae_linear, signed_mean_linear, relmse_linear;  // radiance
@@ -27,6 +28,7 @@ struct Errors {
   std::optional<double> normal_deg_mean, normal_deg_p50, normal_deg_p99, normal_deg_max;  // degrees
   std::optional<double> position_mean, position_p99, position_max;                        // world units
   std::optional<double> nonfinite_pixels, lost_pixels, doubled_pixels, background_lit_pixels;
+  std::optional<double> tie_pixels;       // frame and reference see different surfaces at an edge (ties.h)
   std::optional<double> compared_pixels;  // with a surface
 };
 

@@ -31,14 +31,12 @@ class Account {
   PixelAccount made() {
     const Ray ray = pixel_ray(s_.camera, s_.size, probe_.pixel);
     out_.surface = texel_.instance() >= 0;
-    out_.object = texel_.instance() + 1;
-    out_.tie = probe_.surface() != out_.surface || (out_.surface && probe_.object() != out_.object);
+    out_.seen = texel_.surface();
     if (!out_.surface) {
       lit_ = background_radiance(s_, ray.direction);
       add_result();
       return std::move(out_);
     }
-    out_.triangle = texel_.triangle();
     at_ = TruthGeometry(s_, scene_, {}).at(ray, texel_);
     add_lights();
     add_stored();
@@ -152,6 +150,16 @@ std::string verdict_of(const LightShare& l) {
   if (!l.shaded || *l.shaded == 1) return {};
   if (*l.shaded == 0) return l.diffuse + l.specular == glm::dvec3(0) ? "" : "missed";
   return *l.shaded == 2 ? "counted twice" : fmt::format("counted {} times", *l.shaded);
+}
+
+std::string other_surface_note(const PixelAccount& a) {
+  if (a.shown == a.seen) return {};
+  std::string what = "no surface is known to be what the frame shows";
+  if (a.shown.object == 0) what = "the frame shows the background";
+  if (a.shown.object > 0)
+    what = fmt::format("the frame shows object {}, triangle {}", a.shown.object, a.shown.triangle);
+  return fmt::format("{}{}; what follows is the reference's", a.tie ? "an edge, where either may be right: " : "",
+                     what);
 }
 
 PixelAccount account_of(const Settings& s, const Scene& scene, const SeenTexel& texel, const PixelProbe& probe) {

@@ -37,15 +37,20 @@ struct AccountLine {
 struct PixelAccount {
   glm::ivec2 pixel{0};
   bool surface = false;             // of the truth
-  int object = 0, triangle = 0;     // seen by the truth; object from 1
-  bool tie = false;                 // the frame sees another object here: an edge, where rasterisers may differ
+  SeenSurface seen;                 // by the truth
+  SeenSurface shown;                // by the frame
+  bool tie = false;                 // another than the truth's, but at an edge (ties.h)
   std::vector<AccountLine> stored;  // position, normal, albedo, ...
   std::vector<AccountLine> terms;   // of the sum, in the order in which it is made
   int first_off = -1;               // of the terms; -1: none
   std::vector<LightShare> lights;   // that reach the surface, the strongest first
 };
 
-// probe: of a frame drawn with these settings, resolved; texel: what the reference saw there.
+// Where frame and reference see different surfaces, a sentence that says so; else empty.
+std::string other_surface_note(const PixelAccount&);
+
+// probe: of a frame drawn with these settings, resolved; texel: what the reference saw there. What the frame shows there,
+// and whether it is a tie, is left to the caller.
 PixelAccount account_of(const Settings&, const Scene&, const SeenTexel&, const PixelProbe&);
 
 }  // namespace gbl

@@ -7,6 +7,7 @@
 
 #include "renderer/frame/frame_lights.h"
 #include "renderer/light/lights.h"
+#include "renderer/truth/ties.h"
 
 namespace gbl {
 
@@ -45,6 +46,12 @@ Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std:
   for (auto* list : {&truth_.lit, &truth_.diffuse, &truth_.specular, &truth_.albedo, &truth_.normal, &truth_.position})
     list->resize(n);
   lit_pairs_of_row_.resize(static_cast<size_t>(s.size.y));
+}
+
+void Reference::find_rivals(const std::atomic<bool>* cancel) {
+  std::vector<SeenSurface> seen;
+  for (const SeenTexel& t : texels_) seen.push_back(t.surface());
+  truth_.rivals = rivals_of(settings_, *scene_, seen, cancel);
 }
 
 void Reference::work_pixel(glm::ivec2 pixel) {

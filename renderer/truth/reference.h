@@ -27,6 +27,9 @@ class Reference {
   // The texels' triangles against the scene, in double (visible_triangles.h); the number of those replaced.
   size_t check_texels() { return check_triangles(settings_, *scene_, texels_); }
 
+  // What ties are told by (ties.h). A truth without it knows none.
+  void find_rivals(const std::atomic<bool>* cancel = nullptr);
+
   // Works on the rows that are not done yet. False if it was cancelled; it can be called again to go on. The result
   // does not depend on the number of threads.
   bool run(int threads, const std::atomic<bool>* cancel = nullptr);

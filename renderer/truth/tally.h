@@ -20,13 +20,14 @@ class Mean {
   size_t count_ = 0;
 };
 
-// Of numbers that are not negative. One that is not finite makes the maximum infinite and is otherwise left out.
+// Of numbers that are not negative. One that is not finite makes the maximum infinite and is otherwise left out. A tie
+// (ties.h) that is finite is left out of the maximum.
 class Tally {
  public:
-  void add(double value) {
+  void add(double value, bool tie = false) {
     if (std::isfinite(value)) {
       finite_.push_back(value), mean_.add(value);
-      largest_ = std::max(largest_.value_or(value), value);
+      if (!tie) largest_ = std::max(largest_.value_or(value), value);
     } else {
       largest_ = std::numeric_limits<double>::infinity();
     }

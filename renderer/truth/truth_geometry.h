@@ -2,6 +2,7 @@
 // From "this triangle is seen through this pixel" to a surface point, in double.
 #include <functional>
 
+#include "renderer/truth/truth.h"
 #include "renderer/truth/truth_shading.h"
 
 namespace gbl {
@@ -17,6 +18,7 @@ struct SeenTexel {
 
   int instance() const { return static_cast<int>(seen.x) - 1; }
   int triangle() const { return static_cast<int>(seen.y); }
+  SeenSurface surface() const { return {instance() + 1, triangle()}; }
 };
 inline constexpr int kSeenTexels = sizeof(SeenTexel) / sizeof(glm::vec4);
 

@@ -59,28 +59,51 @@ struct Hit {
   uint32_t triangle = 0;
   double range = INFINITY;
   glm::dvec3 weights{0};
+  SeenSurface surface() const { return {instance + 1, static_cast<int>(triangle)}; }
 };
 
 // Rows `from` up to `to` of the picture.
 class Band {
  public:
-  Band(const Settings& s, const Scene& scene, bool back_faces_too, int from, int to)
+  Band(const Settings& s, const Scene& scene, bool back_faces_too, glm::dvec2 aside_px, int from, int to)
       : settings_(s),
         scene_(scene),
         back_faces_too_(back_faces_too),
+        centre_(0.5 + aside_px),
         from_(from),
         to_(to),
         rays_(view_rays(s.camera, double(s.size.x) / s.size.y)) {
     hits_.resize(static_cast<size_t>(to - from) * static_cast<size_t>(s.size.x));
   }
 
-  void draw_all(Hit* into) {
-    for (size_t i = 0; i < scene_.instances.size(); ++i) draw(i);
-    std::copy(hits_.begin(), hits_.end(), into + static_cast<size_t>(from_) * static_cast<size_t>(settings_.size.x));
+  std::vector<Hit> nearest() {
+    find_nearest();
+    return std::move(hits_);
+  }
+
+  // The nearest, and those at most this share of its range behind it.
+  std::vector<Rival> first_ones(double same_range) {
+    std::vector<Rival> out;
+    const size_t before = static_cast<size_t>(from_) * static_cast<size_t>(settings_.size.x);
+    const auto add = [&](size_t pixel, const Hit& hit) { out.push_back({before + pixel, hit.surface()}); };
+    find_nearest();
+    for (size_t i = 0; i < hits_.size(); ++i)
+      if (hits_[i].instance < 0) add(i, hits_[i]);
+    const auto near = [&](const Hit& hit, const Hit& nearest) { return hit.range <= (1 + same_range) * nearest.range; };
+    for (size_t i = 0; i < scene_.instances.size(); ++i) draw(i, near, add);
+    return out;
   }
 
  private:
-  void draw(size_t index) {
+  void find_nearest() {
+    const auto nearer = [](const Hit& hit, const Hit& nearest) { return hit.range < nearest.range; };
+    for (size_t i = 0; i < scene_.instances.size(); ++i)
+      draw(i, nearer, [&](size_t pixel, const Hit& hit) { hits_[pixel] = hit; });
+  }
+
+  // use(pixel, hit) of all hits that are wanted(hit, hits_[pixel]).
+  template <class Wanted, class Use>
+  void draw(size_t index, Wanted wanted, Use use) {
     const Instance& placed = scene_.instances[index];
     const Mesh& mesh = scene_.meshes[static_cast<size_t>(placed.mesh)];
     const Material& material = scene_.materials[static_cast<size_t>(placed.material)];
@@ -97,11 +120,11 @@ class Band {
       for (int y = e.from.y; y < e.to.y; ++y)
         for (int x = e.from.x; x < e.to.x; ++x) {
           Hit hit{static_cast<int>(index), t};
-          Hit& nearest =
-              hits_[static_cast<size_t>(y - from_) * static_cast<size_t>(settings_.size.x) + static_cast<size_t>(x)];
-          if (meets(e, x, y, material.double_sided || back_faces_too_, mirrored, hit) && hit.range < nearest.range &&
+          const size_t pixel =
+              static_cast<size_t>(y - from_) * static_cast<size_t>(settings_.size.x) + static_cast<size_t>(x);
+          if (meets(e, x, y, material.double_sided || back_faces_too_, mirrored, hit) && wanted(hit, hits_[pixel]) &&
               !in_hole(mesh, corner, material, hit.weights))
-            nearest = hit;
+            use(pixel, hit);
         }
     }
   }
@@ -130,10 +153,10 @@ class Band {
       return static_cast<int>(std::clamp(at, double(least), double(most)));
     };
     const glm::dvec2 size(settings_.size);
-    e.from = {pixel(std::ceil((low.x + 1) / 2 * size.x - 0.5), 0, settings_.size.x),
-              pixel(std::ceil((1 - high.y) / 2 * size.y - 0.5), from_, to_)};
-    e.to = {pixel(std::floor((high.x + 1) / 2 * size.x - 0.5) + 1, 0, settings_.size.x),
-            pixel(std::floor((1 - low.y) / 2 * size.y - 0.5) + 1, from_, to_)};
+    e.from = {pixel(std::ceil((low.x + 1) / 2 * size.x - centre_.x), 0, settings_.size.x),
+              pixel(std::ceil((1 - high.y) / 2 * size.y - centre_.y), from_, to_)};
+    e.to = {pixel(std::floor((high.x + 1) / 2 * size.x - centre_.x) + 1, 0, settings_.size.x),
+            pixel(std::floor((1 - low.y) / 2 * size.y - centre_.y) + 1, from_, to_)};
     const glm::dvec3 sides[3] = {glm::cross(b, c), glm::cross(c, a), glm::cross(a, b)};
     if (camera.orthographic()) {
       // The ray starts aside of the eye: the corners are seen from there, (b - o) x (c - o) . forward.
@@ -159,7 +182,8 @@ class Band {
   }
 
   bool meets(const Edges& e, int x, int y, bool double_sided, bool mirrored, Hit& hit) const {
-    const double ndc_x = (x + 0.5) / settings_.size.x * 2 - 1, ndc_y = 1 - (y + 0.5) / settings_.size.y * 2;
+    const glm::dvec2 at = (glm::dvec2(x, y) + centre_) / glm::dvec2(settings_.size);
+    const double ndc_x = at.x * 2 - 1, ndc_y = 1 - at.y * 2;
     const glm::dvec3 w = e.at_centre + ndc_x * e.per_x + ndc_y * e.per_y;
     const bool back = w.x >= 0 && w.y >= 0 && w.z >= 0, front = w.x <= 0 && w.y <= 0 && w.z <= 0;
     const double sum = w.x + w.y + w.z;  // against the normal where it faces us
@@ -179,21 +203,33 @@ class Band {
   const Settings& settings_;
   const Scene& scene_;
   const bool back_faces_too_;
+  const glm::dvec2 centre_;  // of a pixel, from its upper left corner: where its ray passes
   const int from_, to_;
   const ViewRays rays_;
   std::vector<Hit> hits_;
 };
 
-std::vector<Hit> hits_of(const Settings& s, const Scene& scene, bool back_faces_too) {
-  std::vector<Hit> hits(static_cast<size_t>(s.size.x) * static_cast<size_t>(s.size.y));
-  const int bands = std::min(all_processors(), s.size.y);
+// What `of` finds in each band of the picture, from top to bottom.
+template <class Of>
+auto in_bands(const Settings& s, const Scene& scene, bool back_faces_too, glm::dvec2 aside_px, Of of) {
+  const int count = std::min(all_processors(), s.size.y);
+  std::vector<decltype(of(std::declval<Band&>()))> parts(static_cast<size_t>(count));
   std::vector<std::thread> threads;
-  for (int k = 0; k < bands; ++k)
+  for (int k = 0; k < count; ++k)
     threads.emplace_back([&, k] {
-      Band(s, scene, back_faces_too, s.size.y * k / bands, s.size.y * (k + 1) / bands).draw_all(hits.data());
+      Band band(s, scene, back_faces_too, aside_px, s.size.y * k / count, s.size.y * (k + 1) / count);
+      parts[static_cast<size_t>(k)] = of(band);
     });
   for (std::thread& t : threads) t.join();
-  return hits;
+  for (size_t k = 1; k < parts.size(); ++k) {
+    parts[0].insert(parts[0].end(), parts[k].begin(), parts[k].end());
+    parts[k] = {};
+  }
+  return std::move(parts[0]);
+}
+
+std::vector<Hit> hits_of(const Settings& s, const Scene& scene, bool back_faces_too) {
+  return in_bands(s, scene, back_faces_too, {0, 0}, [](Band& band) { return band.nearest(); });
 }
 
 SeenTexel texel_of(const Hit& hit, const Scene& scene, Colour colour) {
@@ -223,6 +259,10 @@ int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardwar
 bool sees_surface(const Settings& s, const Scene& scene, bool back_faces_too) {
   const std::vector<Hit> hits = hits_of(s, scene, back_faces_too);
   return std::any_of(hits.begin(), hits.end(), [](const Hit& h) { return h.instance >= 0; });
+}
+
+std::vector<Rival> seen_aside(const Settings& s, const Scene& scene, glm::dvec2 aside_px, double same_range) {
+  return in_bands(s, scene, false, aside_px, [&](Band& band) { return band.first_ones(same_range); });
 }
 
 std::vector<SeenTexel> visible_triangles(const Settings& s, const Scene& scene, bool with_textures) {

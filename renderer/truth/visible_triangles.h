@@ -14,6 +14,10 @@ int all_processors();
 // good enough to meter a scene by, not for a reference. Without textures only the triangles are told.
 std::vector<SeenTexel> visible_triangles(const Settings&, const Scene&, bool with_textures = true);
 
+// What is seen beside the pixels' centres, so many pixels to the right and down: the nearest surface, and those at most
+// this share of its range behind it. Of each pixel one at least; in no order.
+std::vector<Rival> seen_aside(const Settings&, const Scene&, glm::dvec2 aside_px, double same_range);
+
 // Does any pixel see a surface? With back faces: those of one-sided materials count, too.
 bool sees_surface(const Settings&, const Scene&, bool back_faces_too);
 

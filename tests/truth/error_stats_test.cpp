@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
+#include "renderer/truth/colour_spaces.h"
+
 namespace gbl {
 namespace {
 
@@ -46,6 +48,38 @@ TEST(ErrorStats, WhatIsNoNumberIsTheWorstAndLeftOutOfMeans) {
   EXPECT_EQ(s.mean, 2);
   EXPECT_EQ(s.signed_mean, 2);
   EXPECT_EQ(s.p99, 3);
+}
+
+// 2 x 2 pixels, the lower row first; all show object 2, triangle 7.
+std::vector<float> of_four(float e0, float e1, float e2, float e3) {
+  return {e0, 2, 7, 1, e1, 2, 7, 1, e2, 2, 7, 1, e3, 2, 7, 1};
+}
+
+TEST(ErrorStats, TiesAreLeftOutOfTheLargestAlone) {
+  Truth truth{.size = {2, 2}};
+  truth.rivals = {{0, {2, 7}}, {1, {2, 8}}, {2, {3, 7}}, {3, {2, 7}}};
+  std::vector<float> errors = of_four(0.25f, NAN, 9, 0.5f);
+  EXPECT_TRUE(mark_ties(truth, errors));
+  EXPECT_EQ(errors[8 + 3], kTie) << "the upper left one shows what is seen beside it";
+  for (const size_t i : {0, 1, 3}) EXPECT_EQ(errors[4 * i + 3], 1) << i;
+  const ErrorStats s = error_stats(ErrorOf::normal, {2, 2}, errors, 0);
+  EXPECT_EQ(s.compared, 4u);
+  EXPECT_EQ(s.ties, 1u);
+  EXPECT_EQ(s.nonfinite, 1u) << "at an edge, too, it is no number";
+  EXPECT_EQ(s.worst, glm::ivec2(1, 1));
+  EXPECT_DOUBLE_EQ(s.mean, 9.75 / 3);
+
+  errors = of_four(0.25f, 0.125f, 9, 0.5f);
+  mark_ties(truth, errors);
+  const ErrorStats finite = error_stats(ErrorOf::normal, {2, 2}, errors, 0);
+  EXPECT_EQ(finite.ties, 2u);
+  EXPECT_EQ(finite.max, 0.5);
+  EXPECT_EQ(finite.worst, glm::ivec2(1, 0));
+
+  truth.rivals.clear();
+  errors = of_four(0.25f, 0.125f, 9, 0.5f);
+  EXPECT_FALSE(mark_ties(truth, errors));
+  EXPECT_EQ(error_stats(ErrorOf::normal, {2, 2}, errors, 0).max, 9);
 }
 
 TEST(ErrorStats, WithoutASurfaceThereIsNothing) {
@@ -99,6 +133,40 @@ TEST(ErrorLegend, NamesWhatIsNoNumberOnlyWhereThereIsSome) {
   s.nonfinite = 1;
   ASSERT_EQ(error_legend(s, ErrorScale::magnitude).apart.size(), 2u);
   EXPECT_EQ(error_legend(s, ErrorScale::magnitude).apart[1].label, "not finite");
+  s.ties = 1;
+  EXPECT_EQ(error_legend(s, ErrorScale::magnitude).apart[1].label, "edge: either surface");
+}
+
+// Machado, Oliveira and Fernandes 2009, "A Physiologically-based Model for Simulation of Color Vision Deficiency", of
+// linear colours, at full severity; and nobody's.
+constexpr double kSight[][9] = {
+    {1, 0, 0, 0, 1, 0, 0, 0, 1},
+    {0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998},
+    {0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881},
+    {1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900}};
+
+glm::dvec3 lab_as_seen(const double (&sight)[9], const glm::vec3& srgb) {
+  const glm::dvec3 linear = linear_from_srgb(glm::dvec3(srgb));
+  glm::dvec3 seen(0);
+  for (int k = 0; k < 9; ++k) seen[k / 3] += sight[k] * linear[k % 3];
+  return lab_from_xyz(xyz_from_linear_srgb() * glm::clamp(seen, 0.0, 1.0));
+}
+
+// 2.3 is a just noticeable difference; here are thirty, one pixel being small.
+TEST(ErrorLegend, TiesLookLikeNothingElseToNobody) {
+  for (const ErrorScale scale : {ErrorScale::magnitude, ErrorScale::with_sign}) {
+    ErrorStats s;
+    s.nonfinite = 1;
+    const Legend bar = error_legend(s, scale);
+    std::vector<glm::vec3> others = {bar.apart[0].colour, bar.apart[1].colour};
+    for (size_t i = 0; i + 1 < bar.entries.size(); ++i)
+      for (const float t : {0.0f, 0.5f, 1.0f})
+        others.push_back(glm::mix(bar.entries[i].colour, bar.entries[i + 1].colour, t));
+    for (const auto& sight : kSight)
+      for (const glm::vec3& other : others)
+        EXPECT_GT(glm::distance(lab_as_seen(sight, kTieColour), lab_as_seen(sight, other)), 30)
+            << &sight - kSight << ": " << other.r << " " << other.g << " " << other.b;
+  }
 }
 
 }  // namespace

@@ -128,11 +128,44 @@ TEST(Measure, WithoutASurfaceThereIsNothingToMeasure) {
   p.truth.present.assign(16, 0);
   p.drawn.lit[3] = glm::vec3(kNaN), p.drawn.lit[4] = glm::vec3(0.5f, 0.5f, 0.6f), p.drawn.lit[5] = glm::vec3(0.4f);
   const Errors e = measured(p);
-  const std::set<std::string> given = {"compared_pixels", "nonfinite_pixels", "background_lit_pixels"};
+  const std::set<std::string> given = {"compared_pixels", "tie_pixels", "nonfinite_pixels", "background_lit_pixels"};
   for (const ErrorColumn& c : error_columns()) EXPECT_EQ((e.*c.value).has_value(), given.contains(c.id)) << c.id;
   EXPECT_EQ(e.compared_pixels, 0);
   EXPECT_EQ(e.nonfinite_pixels, 1);
   EXPECT_EQ(e.background_lit_pixels, 1) << "lit, not darkened";
+}
+
+// Pixel 3 shows what the reference sees beside it, pixel 4 what it sees nowhere, pixel 5 what it sees beside another.
+TEST(Measure, TiesAreCountedAndLeftOutOfMaximaAlone) {
+  Pair p = wall({20, 10});
+  p.truth.rivals = {{3, {2, 7}}, {4, {2, 7}}};
+  p.drawn.seen[3] = {2, 7}, p.drawn.seen[4] = {2, 8}, p.drawn.seen[5] = {2, 7};
+  const auto spoil = [&](size_t i, float by) {
+    p.drawn.lit[i] += by, p.drawn.position[i].x += by, p.drawn.normal[i] = glm::vec3(by, 0, 1);
+  };
+  spoil(3, 4), spoil(4, 0.25f);
+  Errors e = measured(p);
+  EXPECT_EQ(e.tie_pixels, 1);
+  EXPECT_EQ(e.max_linear, 0.25);
+  EXPECT_EQ(e.position_max, 0.25);
+  EXPECT_NEAR(*e.normal_deg_max, glm::degrees(std::atan(0.25)), 1e-6);
+  EXPECT_EQ(e.compared_pixels, 200);
+  EXPECT_DOUBLE_EQ(*e.mae_linear, 4.25 / 200);
+  EXPECT_DOUBLE_EQ(*e.position_mean, 4.25 / 200);
+  EXPECT_EQ(e.over_1_255_linear, 2 / 200.0);
+
+  p.drawn.lit[3].g = kNaN;
+  EXPECT_EQ(measured(p).max_linear, INFINITY) << "no edge makes a number of it";
+  p.drawn.seen.clear();
+  e = measured(p);
+  EXPECT_EQ(e.tie_pixels, std::nullopt) << "what the frame shows is not known";
+  EXPECT_EQ(e.position_max, 4) << "so nothing is excused";
+}
+
+TEST(Measure, APixelWithoutASurfaceIsNoTie) {
+  Pair p = wall({4, 4});
+  p.truth.rivals = {{3, {2, 7}}}, p.drawn.seen[3] = {2, 7}, p.truth.present[3] = 0;
+  EXPECT_EQ(measured(p).tie_pixels, 0);
 }
 
 TEST(Measure, WhatIsNotStoredIsNotJudged) {

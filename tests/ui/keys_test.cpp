@@ -147,8 +147,8 @@ TEST(Keys, EachKeyIsInOneRowAndEachRowHasAHelp) {
 TEST(Keys, ARequestLastsOneFrame) {
   Desk desk;
   EXPECT_TRUE(desk.press("F5").reload_shaders);
-  EXPECT_TRUE(desk.press("F12").save_figure);
-  EXPECT_FALSE(desk.frame().save_figure);
+  EXPECT_TRUE(desk.press("F12").figure);
+  EXPECT_FALSE(desk.frame().figure);
 }
 
 // The scene's own lights are as many as the scene has, whatever lights.count says of generated ones.

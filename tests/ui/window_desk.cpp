@@ -141,8 +141,8 @@ std::string WindowDesk::find_window() const {
 void WindowDesk::wait_until_drawn() {
   // The first picture that F12 saves tells that keys arrive; a key sent before that is lost.
   for (int attempt = 0; attempt < 20; ++attempt) {
-    press("F12");
-    if (wait_for([&] { return fs::exists(folder_ / "out"); }, 1s)) break;
+    press("shift+F12");
+    if (wait_for([&] { return fs::exists(folder_ / "out"); }, 2s)) break;
   }
   wait_until_at_rest();
   std::error_code ignored;
@@ -191,10 +191,12 @@ int WindowDesk::close() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-Figure WindowDesk::figure() {
+Figure WindowDesk::figure(const char* key) {
   wait_until_at_rest();
   const fs::path folder = folder_ / "out";
-  press("F12");
+  std::error_code ignored;
+  fs::remove_all(folder, ignored);  // what an earlier press has saved late
+  press(key);
   fs::path saved;
   wait_for(
       [&] {
@@ -203,7 +205,7 @@ Figure WindowDesk::figure() {
         return !saved.empty();
       },
       10s);
-  EXPECT_FALSE(saved.empty()) << "F12 saved no picture";
+  EXPECT_FALSE(saved.empty()) << key << " saved no picture";
   if (saved.empty()) return {};
   Figure f{read_png(saved), parse_settings(read_png_text(saved, kSettingsKey), "figure")};
   f.file = folder_ / fmt::format("figure-{}.png", ++figures_);

@@ -31,7 +31,7 @@ class WindowDesk {
   void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
   int close();                                              // by its key; the program's exit code
-  Figure figure();                                          // presses F12 and reads the file it saved
+  Figure figure(const char* key = "shift+F12");             // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
 
  private:

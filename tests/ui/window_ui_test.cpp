@@ -42,9 +42,9 @@ TEST(Window, every_key_of_the_table_does_something_and_home_undoes_it) {
   const Figure start = desk.figure();
   desk.keep("start", start);
   for (const ui::KeyRow& row : ui::key_rows()) {
-    if (row.id == "figure") continue;  // every step below presses it
-    if (row.id == "quit") continue;    // session_ui_test.cpp
-    if (row.id == "camera") continue;  // held keys: the test below
+    if (row.id.starts_with("figure")) continue;  // every step below presses it
+    if (row.id == "quit") continue;              // session_ui_test.cpp
+    if (row.id == "camera") continue;            // held keys: the test below
     for (const ui::KeyEvent& key : ui::presses_of(row)) {
       const auto before = kBefore.find(row.id);
       Figure from = start;
@@ -99,6 +99,41 @@ TEST(Window, pressing_c_puts_a_pool_of_light_out_and_brings_it_back) {
   const double again = mean_of_main_picture(desk.figure().picture);
   EXPECT_LT(back, start - 5) << "of 255: two lights near the camera light half the picture";
   EXPECT_NEAR(again, start, 1e-9);
+}
+
+// F12 keeps the panel as it stands on screen, less the buttons on its upper edge, and what it shows can be had again.
+TEST(Window, a_figure_is_the_panel_as_shown_and_brings_it_back) {
+  WindowDesk desk;
+  SKIP_WITHOUT_WINDOW(desk);
+  for (const char* key : {"4", "ctrl+m", "ctrl+m", "ctrl+v", "d"})
+    desk.press(key);  // depth in colours, a footprint over it
+  const Figure window = desk.figure(), panel = desk.figure("F12");
+  ASSERT_GE(panel.picture.size.x, 800);
+  ASSERT_GT(panel.picture.size.y, panel.picture.size.x * 9 / 16) << "the caption stands below";
+  const auto differing = [](const Image& a, const Image& b, int from, int to) {
+    size_t n = 0;
+    for (int y = from; y < to; ++y)
+      for (int x = 0; x < a.size.x; ++x)
+        n +=
+            std::memcmp(&a.rgba[4u * (static_cast<size_t>(y) * static_cast<size_t>(a.size.x) + static_cast<size_t>(x))],
+                        &b.rgba[4u * (static_cast<size_t>(y) * static_cast<size_t>(b.size.x) + static_cast<size_t>(x))],
+                        3) != 0;
+    return n;
+  };
+  const int height = panel.picture.size.x * 9 / 16;
+  EXPECT_EQ(differing(panel.picture, window.picture, 30, height), 0u);
+  EXPECT_GT(differing(panel.picture, window.picture, 0, 30), 100u) << "the buttons are no part of it";
+  EXPECT_EQ(panel.settings, window.settings);
+  EXPECT_EQ(panel.settings.view.overlays.size(), 1u);
+  desk.keep("panel", panel);
+  EXPECT_EQ(desk.close(), 0);
+
+  WindowDesk again({"--state", panel.file.string()});
+  again.press("ctrl+v");  // as wide as it was
+  const Figure back = again.figure("F12");
+  EXPECT_EQ(back.settings, panel.settings);
+  EXPECT_EQ(back.picture.size, panel.picture.size);
+  EXPECT_EQ(differing(back.picture, panel.picture, 0, height), 0u);
 }
 
 TEST(Window, both_lessons_are_given_from_the_keyboard) {

@@ -140,9 +140,8 @@ void draw_pixel(FrameContext& f, Painter& p, const Box& box) {
                   : "working out the reference");
     return;
   }
-  if (a->tie)
-    p.text_in(shelf.below(line_height(small)), small, kAccent,
-              "an edge: frame and reference see different objects; what follows is the reference's");
+  if (const std::string note = other_surface_note(*a); !note.empty())
+    p.text_in(shelf.below(line_height(small)), small, kAccent, note);
   heading(p, shelf, table, "against the reference in double precision");
   draw_lines(p, shelf, table, a->stored, -1);
   shelf.below(small * 0.4f);
