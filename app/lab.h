@@ -59,6 +59,9 @@ class Lab {
   // Does the frame's method shade pixels? Forward shading shades surfaces, hidden ones too: no count of it says more.
   bool shades_pixels() const;
   std::vector<int> times_shaded(glm::ivec2 pixel, const std::vector<int>& lights);  // waits for the GPU
+  void draw_outside(const OutsideView& v, View colours, const Canvas& into) {
+    renderer_.draw_outside(v, colours, drawn_, *gpu_scene_, targets_, into);
+  }
   // The views `reference` and `error` of the frame just drawn. False while the reference is being made.
   bool draw_truth_view(View, bool wait);
   double truth_progress() const { return truths_.progress(); }  // 0..1

@@ -222,6 +222,20 @@ void Viewer::ask_numbers(const ui::Requests& requests, bool all) {
   lab_.ask_numbers(numbers_asked_->first, numbers_asked_->second);
 }
 
+// Drawn again when the frame is another one or the camera outside has moved.
+void Viewer::draw_outside(const ui::Requests& requests) {
+  if (!requests.outside) return outside_.reset();
+  const ui::OutsideRequest& wanted = *requests.outside;
+  if (outside_ && outside_->asked == wanted && !main_drawn_) return;
+  if (!outside_ || outside_->picture.texture.size != wanted.size) {
+    outside_.emplace();
+    outside_->depth = gl::make_texture({.size = wanted.size, .format = Format::d32f, .label = "outside.depth"});
+    outside_->picture = make_canvas({.size = wanted.size, .label = "outside"}, &outside_->depth);
+  }
+  outside_->asked = wanted;
+  lab_.draw_outside({wanted.from, wanted.size}, wanted.colours, outside_->picture);
+}
+
 void Viewer::reload() {
   try {
     lab_.reload_shaders();
@@ -248,6 +262,7 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
     main_drawn_ = false;
     draw_views(s, requests, changed && ready);
     comparer_.update(requests.compare, view_by_id(s.view.main).view, main_drawn_);
+    draw_outside(requests);
     lab_.show_squares(requests.magnified);
     ask_numbers(requests, changed && ready);
     if (requests.probe && requests.probe != probe_asked_) {
@@ -286,6 +301,7 @@ ui::Input Viewer::input(double seconds) const {
   in.probe = probe_;
   in.account = account_ ? &*account_ : nullptr;
   in.compare = comparer_.input();
+  if (outside_) in.outside = {outside_->picture.texture.id(), outside_->picture.texture.size};
   in.numbers = numbers_ ? &*numbers_ : nullptr;
   for (const auto& job : jobs_) job->fill(in);
   in.truth_progress = lab_.truth_progress();

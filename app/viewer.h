@@ -57,6 +57,7 @@ class Viewer {
   void take_stats(const ui::Requests&);
   void ask_stats(View);
   void work_out_account(const ui::Requests&);
+  void draw_outside(const ui::Requests&);
   void ask_numbers(const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload();
@@ -64,6 +65,12 @@ class Viewer {
 
   Lab& lab_;
   Comparer comparer_;
+  struct Outside {
+    ui::OutsideRequest asked;
+    gl::Texture depth;
+    Canvas picture;
+  };
+  std::optional<Outside> outside_;
   std::vector<std::unique_ptr<BackgroundJob>> jobs_;
   SceneLoader loader_;
   void begin(FileOpening);
@@ -79,7 +86,7 @@ class Viewer {
   bool stats_waiting_ = false;                  // of a visible view
   bool main_drawn_ = false;                     // in this frame: the main view's picture, or the reference's
   Settings::View view_drawn_;
-  bool laid_over_ = true;  // overlays are drawn
+  bool laid_over_ = true;                // overlays are drawn
   std::optional<PixelAccount> account_;  // of probe_
   bool account_waiting_ = false;
   std::optional<ui::PixelNumbers> numbers_;

@@ -21,6 +21,7 @@
 #include "ui/bookmarks.h"
 #include "ui/chart_io.h"
 #include "ui/compare_io.h"
+#include "ui/outside_io.h"
 #include "ui/stability_io.h"
 
 namespace gbl::ui {
@@ -51,6 +52,7 @@ struct Input {
   std::optional<PixelProbe> probe;                   // of the pixel asked for
   const PixelAccount* account = nullptr;             // of the held pixel, once it is worked out
   const PixelNumbers* numbers = nullptr;             // those asked for, once they are there
+  ViewImage outside;                                 // as the outside camera's panel asked for it
   const CompareInput* compare = nullptr;             // null: nothing is compared
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
   double truth_progress = 1;                         // of the reference that is being made; 1: none is
@@ -95,11 +97,12 @@ struct Requests {
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
   bool account = false;                               // why the probed pixel looks as it does
-  std::optional<CompareRequest> compare;              // with the main view
-  bool magnified = false;                             // pixels are shown as squares
-  std::array<bool, kViewCount> visible{};             // views that the next frame must draw
-  glm::ivec2 picture_size{0};                         // of the largest picture on screen, in screen pixels
-  std::optional<double> wake_in;                      // seconds until the window changes by itself (a caption ends)
+  std::optional<OutsideRequest> outside;
+  std::optional<CompareRequest> compare;   // with the main view
+  bool magnified = false;                  // pixels are shown as squares
+  std::array<bool, kViewCount> visible{};  // views that the next frame must draw
+  glm::ivec2 picture_size{0};              // of the largest picture on screen, in screen pixels
+  std::optional<double> wake_in;           // seconds until the window changes by itself (a caption ends)
   ChartRequest chart;
   StabilityRequest stability;
   AdvisorRequest advisor;

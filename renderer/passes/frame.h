@@ -8,6 +8,7 @@
 #include "renderer/frame/resolved_frame.h"
 #include "renderer/inspect/pixel_probe.h"
 #include "renderer/passes/gpu_scene.h"
+#include "renderer/passes/outside.h"
 #include "renderer/passes/programs.h"
 #include "renderer/passes/shapes.h"
 #include "renderer/passes/targets.h"
@@ -89,6 +90,8 @@ class Renderer {
   // how far the frame is from the truth, with the surface that it shows, into targets.canvases.errors(), and begins to read it back
   void draw_errors(const Settings&, const GpuScene&, Targets&, const TruthTextures&);
 
+  // The frame from outside, its points in the colours of a view that is drawn; into RGBA8 with depth.
+  void draw_outside(const OutsideView&, View colours, const Settings&, const GpuScene&, Targets&, const Canvas& into);
   // Two pictures against each other: A - B in codes, of the channel that is off most, into RGBA32F; and its colours.
   void draw_difference(const gl::Texture& a, const gl::Texture& b, const Canvas& into);
   void colour_difference(const gl::Texture& difference, ErrorScale, double range, const Canvas& into);

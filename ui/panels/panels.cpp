@@ -19,6 +19,7 @@ namespace gbl::ui {
   PANEL(Stability)        \
   PANEL(Advisor)          \
   PANEL(Pixel)            \
+  PANEL(Outside)          \
   PANEL(Card)
 
 #define GBL_DECLARE(name) extern const Panel k##name##Panel;
