@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/imgui_screen.h"
 #include "app/load_stage.h"
+#include "app/path_completion.h"
 #include "app/picture_texts.h"
 #include "app/start.h"
 #include "app/viewer.h"
@@ -166,6 +167,8 @@ class Loop {
     if (window_.saw_input()) quiet_frames_ = 0;
     ++quiet_frames_;
     ui::Input input = viewer_.input(glfwGetTime());
+    path_.recent = session_.recent;
+    input.path = &path_;
     input.held.assign(window_.held().begin(), window_.held().end());
     ui::Requests requests;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -182,6 +185,8 @@ class Loop {
     renamed.scene = settings_.scene;
     if (settings_.scene != before.scene && settings_ == renamed)
       viewer_.open_scene(std::exchange(settings_.scene, before.scene));
+    if (requests.path.open && requests.path.typed != path_.asked) path_ = completions(requests.path.typed);
+    if (!requests.path.file.empty()) viewer_.drop(at_home(requests.path.file));
     if (requests.save_figure) viewer_.say(save_figure(size, settings_, lab_.machine()));
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
@@ -210,6 +215,7 @@ class Loop {
   ImguiScreen& screen_;
   SessionKeeper& keeper_;
   Session session_;
+  ui::PathInput path_ = completions("");
   bool remembered_;  // what is shown, for the next window
   Settings settings_;
   ui::Ui ui_;

@@ -88,6 +88,11 @@ Settings read_state(const std::string& file) {
   return parse_settings(text, file);
 }
 
+bool has_known_ending(const std::string& file) {
+  constexpr std::string_view kEndings[] = {".gltf", ".glb", ".json", ".png"};
+  return std::find(std::begin(kEndings), std::end(kEndings), ending_of(file)) != std::end(kEndings);
+}
+
 FileOpening scene_opening(const std::string& name) {
   return {.file = name, .scene = name, .settings = [name](const Settings& now, const Scene& scene) {
             return moved_to(now, name, scene);

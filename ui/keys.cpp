@@ -123,6 +123,7 @@ void dispatch(FrameContext& f, const KeyEvent& e) {
   if (typing(f) && function_key(e.key) == 0) {  // no field wants those
     if (e.key == "Esc") stop_typing(f);
     if (e.key == "Enter") f.state.entered = true;
+    if (e.key == "Tab" || e.key == "Up" || e.key == "Down") f.state.field_key = e.key;
     return;
   }
   f.state.notice.clear();

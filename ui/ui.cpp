@@ -42,6 +42,7 @@ void begin_root(ImVec2 display) {
 void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
   f.state.entered = false;
+  f.state.field_key.clear();
   for (const KeyEvent& e : keys) dispatch(f, e);
   advance_motion(f);
   f.type = type_of(f.state);

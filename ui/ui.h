@@ -20,6 +20,7 @@
 #include "ui/advisor_io.h"
 #include "ui/bookmarks.h"
 #include "ui/chart_io.h"
+#include "ui/path_io.h"
 #include "ui/stability_io.h"
 
 namespace gbl::ui {
@@ -47,10 +48,11 @@ struct Input {
   const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
-  std::string message;            // an error or a notice to show until the next key; empty = none
-  std::string banner;             // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
-  double seconds = 0;             // a clock for motion, not part of any picture
-  std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
+  const PathInput* path = nullptr;  // null: no file is ever opened here
+  std::string message;              // an error or a notice to show until the next key; empty = none
+  std::string banner;               // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  double seconds = 0;               // a clock for motion, not part of any picture
+  std::vector<std::string> held;    // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
 
 // A key as the user knows it: the character printed on it ("c", "[", "+", ","), or a name: "Home" "End" "PgUp" "PgDn"
@@ -82,6 +84,7 @@ struct Requests {
   ChartRequest chart;
   StabilityRequest stability;
   AdvisorRequest advisor;
+  PathRequest path;
 };
 
 // Window state that is no part of a picture's settings.

@@ -181,6 +181,14 @@ void WindowDesk::hold(const std::string& key, int milliseconds) {
                         .c_str());
 }
 
+// Slowly enough for a frame between two keys: what is pressed and let go within one never was.
+void WindowDesk::type(const std::string& text) {
+  wait_until_at_rest();
+  (void)std::system(
+      fmt::format("DISPLAY={} xdotool windowfocus {} type --delay 60 '{}'", display_, window_, text).c_str());
+  wait_until_at_rest();
+}
+
 int WindowDesk::close() {
   press("ctrl+q");
   int status = 0;

@@ -30,6 +30,7 @@ class WindowDesk {
   std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
   void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
+  void type(const std::string& text);
   int close();                                              // by its key; the program's exit code
   Figure figure();                                          // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
