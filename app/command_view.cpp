@@ -95,6 +95,7 @@ class Loop {
         lab_(without_of(a)),
         viewer_(lab_),
         backend_(window_) {
+    ui_.start_type(window_.content_scale(), window_.framebuffer_size());
     ui_.set_bookmarks(session_.bookmarks);
     if (start.asked.scene) show(std::move(start.asked.scene));
     if (start.left) go_on(*start.left, std::move(start.left_scene));
@@ -136,6 +137,14 @@ class Loop {
     }
   }
 
+  void toggle_full_screen() {
+    try {
+      window_.toggle_full_screen();
+    } catch (const Error& e) {
+      viewer_.say(e.what());
+    }
+  }
+
   void drop(const std::vector<std::string>& files) {
     if (files.size() > 1) return viewer_.say(fmt::format("{} files at once: drop one", files.size()));
     if (!files.empty()) viewer_.drop(files.front());
@@ -167,6 +176,7 @@ class Loop {
     if (window_.saw_input()) quiet_frames_ = 0;
     ++quiet_frames_;
     ui::Input input = viewer_.input(glfwGetTime());
+    input.full_screen = window_.full_screen();
     path_.recent = session_.recent;
     input.path = &path_;
     input.held.assign(window_.held().begin(), window_.held().end());
@@ -190,6 +200,7 @@ class Loop {
     if (requests.save_figure) viewer_.say(save_figure(size, settings_, lab_.machine()));
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
+    if (requests.toggle_full_screen) toggle_full_screen();
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
     viewer_.update(settings_, requests, ui_.moving(settings_));

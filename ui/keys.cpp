@@ -40,6 +40,7 @@ constexpr KeyCommand kCommands[] = {
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F8", "exposure.meter", "meter the exposure from what the lights do on the surfaces that are seen", meter_light},
+    {"F11", "full-screen", "fill the screen; again: a window", toggle_full_screen},
     {"F12", "figure", "save what is on screen as a figure", save_figure},
     {"+ -", "ui.scale", "larger or smaller type", scale_type, true},
     {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",

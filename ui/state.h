@@ -20,6 +20,7 @@
 namespace gbl::ui {
 
 inline constexpr double kCaptionSeconds = 6;
+inline constexpr float kSmallestScale = 0.7f, kLargestScale = 2;  // of the type
 inline constexpr double kGlideSeconds = 1.2;
 inline constexpr const char* kRootWindow = "G-Buffer Lab";
 

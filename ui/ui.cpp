@@ -22,10 +22,11 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Setting
           .status_height = status_height(type)};
 }
 
+// A larger window has larger type.
+float unit_of(ImVec2 display) { return std::min(display.x / 1600, display.y / 900); }
+
 Type type_of(const State& s) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float unit = std::min(display.x / 1600, display.y / 900);
-  return type_for(unit * s.ui_scale * (s.present ? kPresentScale : 1));
+  return type_for(unit_of(ImGui::GetIO().DisplaySize) * s.ui_scale * (s.present ? kPresentScale : 1));
 }
 
 void begin_root(ImVec2 display) {
@@ -89,6 +90,11 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   draw_notices(f);
   if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
   return requests;
+}
+
+void Ui::start_type(float content_scale, glm::vec2 display) {
+  if (content_scale <= 1 || display.x <= 0 || display.y <= 0) return;
+  state_->ui_scale = std::clamp(content_scale / unit_of({display.x, display.y}), 1.0f, kLargestScale);
 }
 
 Snapshot Ui::snapshot(const Settings& settings) const { return {settings, state_->large}; }

@@ -51,8 +51,9 @@ struct Input {
   const PathInput* path = nullptr;  // null: no file is ever opened here
   std::string message;              // an error or a notice to show until the next key; empty = none
   std::string banner;               // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
-  double seconds = 0;               // a clock for motion, not part of any picture
-  std::vector<std::string> held;    // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
+  bool full_screen = false;
+  double seconds = 0;             // a clock for motion, not part of any picture
+  std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
 
 // A key as the user knows it: the character printed on it ("c", "[", "+", ","), or a name: "Home" "End" "PgUp" "PgDn"
@@ -73,6 +74,7 @@ struct PixelNumbers {
 struct Requests {
   bool reload_shaders = false;
   bool save_figure = false;  // the window's picture, as seen
+  bool toggle_full_screen = false;
   bool quit = false;
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
@@ -101,6 +103,10 @@ class Ui {
 
   // One frame inside ImGui::NewFrame() … Render(), filling the display. Keys are those since the last frame.
   Requests draw(Settings&, const Input&, const std::vector<KeyEvent>& keys);
+
+  // Where a monitor says that things are to be drawn so much larger, type starts no smaller than that; + and - go on
+  // from there. display: pixels
+  void start_type(float content_scale, glm::vec2 display);
 
   // What is remembered from one run to the next.
   Snapshot snapshot(const Settings&) const;

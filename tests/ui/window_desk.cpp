@@ -181,6 +181,11 @@ void WindowDesk::hold(const std::string& key, int milliseconds) {
                         .c_str());
 }
 
+void WindowDesk::resize(glm::ivec2 size) {
+  (void)std::system(
+      fmt::format("DISPLAY={} xdotool windowsize --sync {} {} {}", display_, window_, size.x, size.y).c_str());
+}
+
 // Slowly enough for a frame between two keys: what is pressed and let go within one never was.
 void WindowDesk::type(const std::string& text) {
   wait_until_at_rest();
