@@ -16,7 +16,8 @@ namespace {
 constexpr KeyCommand kCommands[] = {
     {"Ctrl+Z", "undo", "take the last change of the settings back", undo, true},
     {"Ctrl+Y", "redo", "make it again", redo, true},
-    {"Ctrl+Q", "quit", "close the window; the next one goes on from here", quit},
+    // Not Q: with Ctrl it moves the camera slowly.
+    {"Ctrl+X", "quit", "close the window; the next one goes on from here", quit},
     {"Ctrl+Shift 1-9", "bookmark.keep", "keep what is shown in this bookmark", keep_bookmark},
     {"Ctrl+1-9", "bookmark.go", "go to what this bookmark keeps; an empty one keeps what is shown", go_to_bookmark},
     {"Ctrl+0", "zoom.pixels", "pixel for pixel, or where that is so already eight times as large", show_pixels},

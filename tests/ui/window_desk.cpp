@@ -195,10 +195,10 @@ void WindowDesk::type(const std::string& text) {
 }
 
 int WindowDesk::close() {
-  press("ctrl+q");
+  press("ctrl+x");
   int status = 0;
   const bool ended = wait_for([&] { return waitpid(program_, &status, WNOHANG) == program_; }, 10s);
-  EXPECT_TRUE(ended) << "Ctrl+Q did not close the window";
+  EXPECT_TRUE(ended) << "Ctrl+X did not close the window";
   if (!ended) return -1;
   program_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
