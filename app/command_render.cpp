@@ -114,7 +114,9 @@ std::string command_of(const Arguments& a) {
 }  // namespace
 
 ExitCode run_render(const Arguments& a) {
-  const auto [s, scene] = setup_of(a);
+  const Setup setup = setup_of(a);
+  const Settings& s = setup.settings;
+  const std::shared_ptr<const Scene>& scene = setup.scene;
   const HeadlessContext context;
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);

@@ -11,6 +11,7 @@
 #include "app/figure_file.h"
 #include "app/imgui_screen.h"
 #include "app/load_stage.h"
+#include "app/path_completion.h"
 #include "app/picture_texts.h"
 #include "app/start.h"
 #include "app/viewer.h"
@@ -71,6 +72,7 @@ class Loop {
         lab_(without_of(a)),
         viewer_(lab_),
         backend_(window_) {
+    ui_.start_type(window_.content_scale(), window_.framebuffer_size());
     ui_.set_bookmarks(session_.bookmarks);
     if (start.asked.scene) show(std::move(start.asked.scene));
     if (start.left) go_on(*start.left, std::move(start.left_scene));
@@ -112,9 +114,24 @@ class Loop {
     }
   }
 
+  void toggle_full_screen() {
+    try {
+      window_.toggle_full_screen();
+    } catch (const Error& e) {
+      viewer_.say(e.what());
+    }
+  }
+
   void drop(const std::vector<std::string>& files) {
     if (files.size() > 1) return viewer_.say(fmt::format("{} files at once: drop one", files.size()));
-    if (!files.empty()) viewer_.drop(files.front());
+    if (!files.empty()) open(files.front());
+  }
+
+  // While A and B are set up a picture is B; so is one that brings no settings back.
+  void open(const std::string& file) {
+    if (!only_a_picture(file) && !(ui_.is_open("compare") && is_picture(file))) return viewer_.drop(file);
+    ui_.compare_with(file);
+    remember(session_.recent, file);
   }
 
   void take(const Viewer::Opened& opened) {
@@ -143,6 +160,9 @@ class Loop {
     if (window_.saw_input()) quiet_frames_ = 0;
     ++quiet_frames_;
     ui::Input input = viewer_.input(glfwGetTime());
+    input.full_screen = window_.full_screen();
+    path_.recent = session_.recent;
+    input.path = &path_;
     input.held.assign(window_.held().begin(), window_.held().end());
     ui::Requests requests;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -159,10 +179,13 @@ class Loop {
     renamed.scene = settings_.scene;
     if (settings_.scene != before.scene && settings_ == renamed)
       viewer_.open_scene(std::exchange(settings_.scene, before.scene));
+    if (requests.path.open && requests.path.typed != path_.asked) path_ = completions(requests.path.typed);
+    if (!requests.path.file.empty()) open(at_home(requests.path.file));
     if (requests.figure) viewer_.say(save_figure(*requests.figure, size, screen_, settings_, lab_.machine()));
     if (requests.copy_command) copy_command();
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
+    if (requests.toggle_full_screen) toggle_full_screen();
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
     viewer_.update(settings_, requests, ui_.moving(settings_));
@@ -194,6 +217,7 @@ class Loop {
   ImguiScreen& screen_;
   SessionKeeper& keeper_;
   Session session_;
+  ui::PathInput path_ = completions("");
   bool remembered_;  // what is shown, for the next window
   Settings settings_;
   ui::Ui ui_;

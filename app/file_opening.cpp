@@ -42,6 +42,21 @@ void require_file(const std::string& file) {
   if (!fs::is_regular_file(status)) refuse("is no file", "give one that is kept on disk");
 }
 
+}  // namespace
+
+bool is_picture(const std::string& file) { return is_png(file) || ending_of(file) == ".exr"; }
+
+bool only_a_picture(const std::string& file) {
+  if (!is_png(file)) return is_picture(file);
+  try {
+    return read_png_text(file, kSettingsKey).empty();
+  } catch (const Error&) {
+    return false;  // whoever opens it says what is wrong
+  }
+}
+
+namespace {
+
 FileOpening rig(const std::string& file) {
   const size_t lights = rig_lights(file).size();
   return {.file = file,
@@ -86,6 +101,11 @@ Settings read_state(const std::string& file) {
     throw Error(ExitCode::bad_input, file, "is a PNG without settings in it",
                 "give one that `render` or F12 wrote, as it was written");
   return parse_settings(text, file);
+}
+
+bool has_known_ending(const std::string& file) {
+  constexpr std::string_view kEndings[] = {".gltf", ".glb", ".json", ".png"};
+  return std::find(std::begin(kEndings), std::end(kEndings), ending_of(file)) != std::end(kEndings);
 }
 
 FileOpening scene_opening(const std::string& name) {

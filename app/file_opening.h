@@ -12,6 +12,13 @@ namespace gbl {
 // Settings from a JSON file, or from a PNG that carries them. Error(bad_input)
 Settings read_state(const std::string& file);
 
+// Is it called like something that can be opened?
+bool has_known_ending(const std::string& file);
+
+bool is_picture(const std::string& file);  // PNG or OpenEXR
+// One that brings no settings back: it can be compared with.
+bool only_a_picture(const std::string& file);
+
 struct FileOpening {
   std::string file;
   std::string scene;  // to be read first; empty: the one at hand stays

@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <GLFW/glfw3.h>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <dlfcn.h>
@@ -45,6 +46,20 @@ constexpr glm::ivec2 kLeast{320, 180};  // for window managers; where there is n
 
 std::string g_last_error;
 
+// The one that shows this point of the desktop, or else the first; null: there is none.
+GLFWmonitor* monitor_at(glm::ivec2 point) {
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    glm::ivec2 at;
+    glfwGetMonitorPos(monitors[i], &at.x, &at.y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    const glm::ivec2 inside = point - at;
+    if (mode && inside.x >= 0 && inside.y >= 0 && inside.x < mode->width && inside.y < mode->height) return monitors[i];
+  }
+  return count > 0 ? monitors[0] : nullptr;
+}
+
 // Xlib ends the program with exit code 1 when its display goes. Asked for by name: GLFW brings the library, or, where
 // windows are not X11's, does not.
 int display_lost(void*) {
@@ -70,12 +85,15 @@ Window::Window(glm::ivec2 size, const char* title) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no core profile without it
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full on a projector, it stays while the other screen is used
   window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
   if (!window_) {
     glfwTerminate();
     throw Error(ExitCode::no_gl, "window", fmt::format("no window with OpenGL 3.3 ({})", g_last_error),
                 "install a GL driver; Mesa's software driver is in libgl1-mesa-dri");
   }
+  fit_monitor();
   glfwSetWindowSizeLimits(window_, kLeast.x, kLeast.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -102,6 +120,37 @@ glm::ivec2 Window::framebuffer_size() const {
   glm::ivec2 size;
   glfwGetFramebufferSize(window_, &size.x, &size.y);
   return size;
+}
+
+float Window::content_scale() const {
+  glm::vec2 scale(1);
+  glfwGetWindowContentScale(window_, &scale.x, &scale.y);
+  return std::round(scale.x * 4) / 4;  // X11 gives 1.04 for 100 dots per inch
+}
+
+void Window::fit_monitor() {
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return;
+  glm::ivec2 at, room, size;
+  glfwGetMonitorWorkarea(monitor, &at.x, &at.y, &room.x, &room.y);
+  glfwGetWindowSize(window_, &size.x, &size.y);
+  const glm::ivec2 fitted = glm::min(size, room);
+  if (fitted != size && fitted.x > 0 && fitted.y > 0) glfwSetWindowSize(window_, fitted.x, fitted.y);
+}
+
+bool Window::full_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
+void Window::toggle_full_screen() {
+  if (full_screen()) {
+    glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, size_.x, size_.y, GLFW_DONT_CARE);
+    return;
+  }
+  glfwGetWindowPos(window_, &place_.x, &place_.y);
+  glfwGetWindowSize(window_, &size_.x, &size_.y);
+  GLFWmonitor* monitor = monitor_at(place_ + size_ / 2);
+  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+  if (!mode) throw Error(ExitCode::unfinished, "full screen", "there is no monitor to fill");
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 void Window::swap() { glfwSwapBuffers(window_); }

@@ -20,6 +20,9 @@ class Window {
   bool closing() const;
   void wait_events(double seconds);  // returns at the first event, at latest after so long
   glm::ivec2 framebuffer_size() const;
+  float content_scale() const;  // how much larger than usual its monitor wants things; in quarters
+  bool full_screen() const;
+  void toggle_full_screen();  // and back to where it was; Error where there is no monitor
   void swap();
   GLFWwindow* handle() const { return window_; }
 
@@ -32,7 +35,9 @@ class Window {
   static void on_key(GLFWwindow*, int key, int scancode, int action, int mods);
   static void on_character(GLFWwindow*, unsigned codepoint);
   static void on_drop(GLFWwindow*, int count, const char** paths);
+  void fit_monitor();
   GLFWwindow* window_ = nullptr;
+  glm::ivec2 place_{0}, size_{0};  // of the window, while it fills the screen
   std::vector<ui::KeyEvent> keys_;
   std::vector<std::string> drops_;
   std::set<std::string> held_;

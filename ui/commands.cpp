@@ -14,7 +14,7 @@
 namespace gbl::ui {
 namespace {
 
-constexpr float kScaleStep = 1.1f, kSmallestScale = 0.7f, kLargestScale = 2;
+constexpr float kScaleStep = 1.1f;
 
 std::string light_sentence(const FrameContext& f, int index, const Light& light) {
   const double distance = distance_in_ranges(f.settings.camera, light);
@@ -213,6 +213,11 @@ void toggle_navigation(FrameContext& f, const KeyEvent&) {
   const bool on = io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard;
   ImGui::SetWindowFocus(on ? kRootWindow : nullptr);
   say(f, {on ? "Panel keys: Tab and arrows walk, Space presses, Esc leaves." : "Panel keys off.", ""});
+}
+
+void toggle_full_screen(FrameContext& f, const KeyEvent&) {
+  f.requests.toggle_full_screen = true;
+  say(f, {f.input.full_screen ? "A window again." : "Full screen. F11 makes it a window again.", ""});
 }
 
 void scale_type(FrameContext& f, const KeyEvent& e) {

@@ -172,8 +172,7 @@ void set_b(FrameContext& f, Settings s, const std::string& what) {
   say(f, {fmt::format("B is {}. / goes through wipe, side by side, difference; Tab flips.", what), ""});
 }
 
-void set_b_to_file(FrameContext& f, std::string file) {
-  Comparison& c = f.state.comparison;
+void set_b_to_file(Comparison& c, std::string file) {
   c.what = BesideA::picture, c.file = std::move(file), c.other.reset(), c.b_drawn = false;
   if (c.mode == CompareMode::off) c.mode = CompareMode::wipe;
 }

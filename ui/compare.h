@@ -33,7 +33,7 @@ void flip(FrameContext&, const KeyEvent&);          // Tab
 void next_mode(FrameContext&, const KeyEvent&);     // /
 void flip_to_cure(FrameContext&, const KeyEvent&);  // X: the unsound choices replaced, and back
 void set_b(FrameContext&, Settings, const std::string& what);
-void set_b_to_file(FrameContext&, std::string file);
+void set_b_to_file(Comparison&, std::string file);
 
 // The panel's part in which A is drawn: its left half where they stand side by side.
 Box box_of_a(const FrameContext&, const Box& panel);

@@ -21,7 +21,8 @@ constexpr KeyCommand kCommands[] = {
     {"Tab", "compare.flip", "A or B: two whole settings; at first the state before the last change", flip},
     {"/", "compare.mode", "A and B on one picture: wipe, side by side, difference, off", next_mode},
     {"X", "cure", "sound choices in the place of the unsound ones; again: back to what fails", flip_to_cure},
-    {"Ctrl+Q", "quit", "close the window; the next one goes on from here", quit},
+    // Not Q: with Ctrl it moves the camera slowly.
+    {"Ctrl+X", "quit", "close the window; the next one goes on from here", quit},
     {"Ctrl+Shift 1-9", "bookmark.keep", "keep what is shown in this bookmark", keep_bookmark},
     {"Ctrl+1-9", "bookmark.go", "go to what this bookmark keeps; an empty one keeps what is shown", go_to_bookmark},
     {"Ctrl+0", "zoom.pixels", "pixel for pixel, or where that is so already eight times as large", show_pixels},
@@ -50,6 +51,7 @@ constexpr KeyCommand kCommands[] = {
     {"F12", "figure", "save the chosen panel exactly as shown, with a caption", save_panel},
     {"Ctrl+Shift C", "copy.command", "the command line that draws this picture, onto the clipboard", copy_command},
     {"Ctrl+C", "copy.values", "the pixel's values, onto the clipboard", copy_values},
+    {"F11", "full-screen", "fill the screen; again: a window", toggle_full_screen},
     {"+ -", "ui.scale", "larger or smaller type", scale_type, true},
     {"W A S D Q E", "camera", "move while held, Q E down and up; Shift fast, Ctrl slow; drag the picture to look",
      nullptr},
@@ -132,6 +134,7 @@ void dispatch(FrameContext& f, const KeyEvent& e) {
   if (typing(f) && function_key(e.key) == 0) {  // no field wants those
     if (e.key == "Esc") stop_typing(f);
     if (e.key == "Enter") f.state.entered = true;
+    if (e.key == "Tab" || e.key == "Up" || e.key == "Down") f.state.field_key = e.key;
     return;
   }
   f.state.notice.clear();

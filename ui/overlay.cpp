@@ -22,15 +22,31 @@ void end_overlay() {
   ImGui::PopStyleColor();
 }
 
-bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, char* buffer, size_t size) {
+namespace {
+// While a field has the keyboard ImGui keeps its text: it is changed in here only.
+int put_text(ImGuiInputTextCallbackData* data) {
+  auto& put = *static_cast<std::optional<std::string>*>(data->UserData);
+  if (data->EventFlag != ImGuiInputTextFlags_CallbackAlways || !put) return 0;
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, put->c_str());
+  put.reset();
+  return 0;
+}
+}  // namespace
+
+bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, char* buffer, size_t size,
+                     std::optional<std::string>* put) {
   const bool wanted = f.state.field == id;
   const FontScope font(px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::round(px * 0.4f), std::floor((box.height() - px) / 2)});
   ImGui::SetCursorScreenPos(box.min);
   ImGui::SetNextItemWidth(box.width());
   if (wanted && f.state.focus_field) ImGui::SetKeyboardFocusHere();
-  bool entered = ImGui::InputText(fmt::format("##{}", id).c_str(), buffer, size,
-                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  constexpr ImGuiInputTextFlags kPlain = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll;
+  constexpr ImGuiInputTextFlags kPut = ImGuiInputTextFlags_CallbackAlways |
+                                       ImGuiInputTextFlags_CallbackCompletion;  // so that Tab does not leave the field
+  bool entered = ImGui::InputText(fmt::format("##{}", id).c_str(), buffer, size, put ? kPlain | kPut : kPlain,
+                                  put ? put_text : nullptr, put);
   // ImGui looks at keys once a frame: a tap shorter than a slow frame reaches us as an event only.
   entered |= ImGui::IsItemActive() && f.state.entered;
   if (entered) ImGui::SetWindowFocus(nullptr);
@@ -40,7 +56,8 @@ bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, 
   return entered;
 }
 
-// An error or a notice, across the top until the next key.
+// An error or a notice, across the top until the next key. No window of ImGui's: one that appears would take the
+// keyboard from whoever types.
 void draw_notices(FrameContext& f) {
   State& s = f.state;
   if (f.input.message != s.dismissed) s.dismissed.clear();
@@ -50,11 +67,11 @@ void draw_notices(FrameContext& f) {
     const float pad = f.type.body * 0.6f, width = canvas.width() - 2 * pad;
     const float px = f.painter.fit(text, {width, f.type.body * 12}, f.type.body, true);
     const Box box{canvas.min, {canvas.max.x, canvas.min.y + text_size(text, px, width).y + 2 * pad}};
-    begin_overlay("message", box, kSurface);
-    Painter p(*ImGui::GetWindowDrawList(), s.cut_texts);
+    Painter p(*ImGui::GetForegroundDrawList(), s.cut_texts);
+    p.fill(box, kSurface);
+    p.outline(box, kLine, 1);
     p.fill({box.min, {box.min.x + pad / 2, box.max.y}}, kAccent);
     p.text({box.min.x + pad, box.min.y + pad}, px, kText, text, width);
-    end_overlay();
   }
 }
 

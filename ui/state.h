@@ -21,6 +21,7 @@
 namespace gbl::ui {
 
 inline constexpr double kCaptionSeconds = 6;
+inline constexpr float kSmallestScale = 0.7f, kLargestScale = 2;  // of the type
 inline constexpr double kGlideSeconds = 1.2;
 inline constexpr const char* kRootWindow = "G-Buffer Lab";
 
@@ -63,6 +64,7 @@ struct State {
   std::string field;         // has the keyboard, or will have it in the next frame; "" = none that a key has opened
   bool focus_field = false;  // in this frame
   bool entered = false;      // Enter, in this frame, while something is typed
+  std::string field_key;     // Tab, Up or Down, likewise
   void type_into(const char* id) { field = id, focus_field = true; }
 
   History history;
@@ -160,8 +162,10 @@ float status_height(const Type&);
 void draw_choice(FrameContext&, const Option&, const Box&, float px);
 std::string sound_mark(const Option&, const Settings&);  // "⚠ unsound: pitfall" or ""
 
-// A line to type in, over the whole box; true when Enter was pressed in it. It loses the keyboard then.
-bool draw_text_field(FrameContext&, const char* id, const Box&, float px, char* buffer, size_t size);
+// A line to type in, over the whole box; true when Enter was pressed in it. It loses the keyboard then. `put` is a text
+// that takes the place of what is typed; it is taken once the field has the keyboard.
+bool draw_text_field(FrameContext&, const char* id, const Box&, float px, char* buffer, size_t size,
+                     std::optional<std::string>* put = nullptr);
 
 // A window for overlays: fixed, above the pictures, without any decoration.
 bool begin_overlay(const char* id, const Box&, ImU32 background);

@@ -22,10 +22,11 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Setting
           .status_height = status_height(type)};
 }
 
+// A larger window has larger type.
+float unit_of(ImVec2 display) { return std::min(display.x / 1600, display.y / 900); }
+
 Type type_of(const State& s) {
-  const ImVec2 display = ImGui::GetIO().DisplaySize;
-  const float unit = std::min(display.x / 1600, display.y / 900);
-  return type_for(unit * s.ui_scale * (s.present ? kPresentScale : 1));
+  return type_for(unit_of(ImGui::GetIO().DisplaySize) * s.ui_scale * (s.present ? kPresentScale : 1));
 }
 
 void begin_root(ImVec2 display) {
@@ -42,6 +43,7 @@ void begin_root(ImVec2 display) {
 void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
   f.state.entered = false;
+  f.state.field_key.clear();
   for (const KeyEvent& e : keys) dispatch(f, e);
   advance_motion(f);
   f.type = type_of(f.state);
@@ -90,6 +92,11 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   return requests;
 }
 
+void Ui::start_type(float content_scale, glm::vec2 display) {
+  if (content_scale <= 1 || display.x <= 0 || display.y <= 0) return;
+  state_->ui_scale = std::clamp(content_scale / unit_of({display.x, display.y}), 1.0f, kLargestScale);
+}
+
 Snapshot Ui::snapshot(const Settings& settings) const { return {settings, state_->large}; }
 
 void Ui::show(const Snapshot& kept, Settings& settings) {
@@ -105,6 +112,8 @@ const Bookmarks& Ui::bookmarks() const { return state_->bookmarks; }
 void Ui::set_bookmarks(const Bookmarks& kept) { state_->bookmarks = kept; }
 
 void Ui::open_lesson(std::string_view id, Settings& settings) { ui::open_lesson(*state_, settings, load_lesson(id)); }
+
+void Ui::compare_with(std::string file) { set_b_to_file(state_->comparison, std::move(file)); }
 
 bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }
 

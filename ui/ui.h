@@ -22,6 +22,7 @@
 #include "ui/chart_io.h"
 #include "ui/compare_io.h"
 #include "ui/outside_io.h"
+#include "ui/path_io.h"
 #include "ui/stability_io.h"
 
 namespace gbl::ui {
@@ -59,8 +60,10 @@ struct Input {
   const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
-  std::string message;            // an error or a notice to show until the next key; empty = none
-  std::string banner;             // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  const PathInput* path = nullptr;  // null: no file is ever opened here
+  std::string message;              // an error or a notice to show until the next key; empty = none
+  std::string banner;               // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  bool full_screen = false;
   double seconds = 0;             // a clock for motion, not part of any picture
   std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
@@ -93,6 +96,7 @@ struct Requests {
   bool reload_shaders = false;
   std::optional<Figure> figure;  // to be saved
   bool copy_command = false;     // the command line that draws this picture, onto the clipboard
+  bool toggle_full_screen = false;
   bool quit = false;
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
@@ -106,6 +110,7 @@ struct Requests {
   ChartRequest chart;
   StabilityRequest stability;
   AdvisorRequest advisor;
+  PathRequest path;
 };
 
 // Window state that is no part of a picture's settings.
@@ -123,12 +128,17 @@ class Ui {
   // One frame inside ImGui::NewFrame() … Render(), filling the display. Keys are those since the last frame.
   Requests draw(Settings&, const Input&, const std::vector<KeyEvent>& keys);
 
+  // Where a monitor says that things are to be drawn so much larger, type starts no smaller than that; + and - go on
+  // from there. display: pixels
+  void start_type(float content_scale, glm::vec2 display);
+
   // What is remembered from one run to the next.
   Snapshot snapshot(const Settings&) const;
   void show(const Snapshot&, Settings&);  // the size stays
   const Bookmarks& bookmarks() const;
   void set_bookmarks(const Bookmarks&);
 
+  void compare_with(std::string file);               // a picture becomes B
   void open_lesson(std::string_view id, Settings&);  // Error with the known ones
   bool moving(const Settings&) const;                // time runs, a glide is under way or a camera key is held
 

@@ -43,7 +43,7 @@ TEST_F(StateFiles, APictureGivesItsSettingsWhateverItIsCalled) {
 
 TEST_F(StateFiles, WhatIsWrongWithAPictureIsSaid) {
   const auto refused = [](const std::string& file) {
-    const std::string line = error_line(ExitCode::bad_input, [&] { read_state(file); });
+    std::string line = error_line(ExitCode::bad_input, [&] { read_state(file); });
     EXPECT_PRED2(contains, line, file);
     return line;
   };

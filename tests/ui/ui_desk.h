@@ -47,6 +47,8 @@ class Desk {
     input.chart = chart;
     input.stability = stability;
     input.advisor = advisor;
+    input.path = path;
+    input.message = message;
     input.probe = PixelProbe{.pixel = {123, 456}};
     const auto probed = [&](ProbeField field, glm::vec3 value) {
       input.probe->values[static_cast<size_t>(field)] = {value, 0};
@@ -92,6 +94,8 @@ class Desk {
   const ChartInput* chart = nullptr;
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
+  const PathInput* path = nullptr;
+  std::string message;
   double seconds = 0;
   std::vector<std::string> held;
 };

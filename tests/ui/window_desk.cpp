@@ -181,11 +181,24 @@ void WindowDesk::hold(const std::string& key, int milliseconds) {
                         .c_str());
 }
 
+void WindowDesk::resize(glm::ivec2 size) {
+  (void)std::system(
+      fmt::format("DISPLAY={} xdotool windowsize --sync {} {} {}", display_, window_, size.x, size.y).c_str());
+}
+
+// Slowly enough for a frame between two keys: what is pressed and let go within one never was.
+void WindowDesk::type(const std::string& text) {
+  wait_until_at_rest();
+  (void)std::system(
+      fmt::format("DISPLAY={} xdotool windowfocus {} type --delay 60 '{}'", display_, window_, text).c_str());
+  wait_until_at_rest();
+}
+
 int WindowDesk::close() {
-  press("ctrl+q");
+  press("ctrl+x");
   int status = 0;
   const bool ended = wait_for([&] { return waitpid(program_, &status, WNOHANG) == program_; }, 10s);
-  EXPECT_TRUE(ended) << "Ctrl+Q did not close the window";
+  EXPECT_TRUE(ended) << "Ctrl+X did not close the window";
   if (!ended) return -1;
   program_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

@@ -30,6 +30,8 @@ class WindowDesk {
   std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
   void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
+  void resize(glm::ivec2);
+  void type(const std::string& text);
   int close();                                              // by its key; the program's exit code
   Figure figure(const char* key = "shift+F12");             // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder

@@ -138,23 +138,23 @@ TEST(Window, a_figure_is_the_panel_as_shown_and_brings_it_back) {
 
 TEST(Window, both_lessons_are_given_from_the_keyboard) {
   const std::vector<std::string> ids = lesson_ids();
-  for (size_t which = 0; which < ids.size(); ++which) {
-    WindowDesk desk({"--lesson", ids[which]});
+  for (const std::string& id : ids) {
+    WindowDesk desk({"--lesson", id});
     SKIP_WITHOUT_WINDOW(desk);
-    const Lesson lesson = load_lesson(ids[which]);
+    const Lesson lesson = load_lesson(id);
     for (size_t step = 0; step < lesson.steps.size(); ++step) {
       Figure now = desk.figure();
       Settings expected = settings_at(lesson, step);
       expected.size = now.settings.size;
       expected.view = now.settings.view;
-      EXPECT_EQ(now.settings, expected) << ids[which] << " step " << step + 1;
+      EXPECT_EQ(now.settings, expected) << id << " step " << step + 1;
       if (!lesson.steps[step].answer.empty()) {
         desk.press("Return");
         const Figure revealed = desk.figure();
         EXPECT_FALSE(revealed.picture == now.picture) << "the answer of step " << step + 1;
         now = revealed;
       }
-      desk.keep(ids[which] + "-" + std::to_string(step + 1), now);
+      desk.keep(id + "-" + std::to_string(step + 1), now);
       desk.press("Next");
     }
   }

@@ -10,6 +10,7 @@ namespace gbl::ui {
 // From the topmost to the lowest: keys go to the first open one that knows them, and Esc closes the first.
 #define GBL_PANELS(PANEL) \
   PANEL(GoTo)             \
+  PANEL(Path)             \
   PANEL(Lessons)          \
   PANEL(Overlays)         \
   PANEL(Compare)          \
