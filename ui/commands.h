@@ -33,6 +33,7 @@ void toggle_hidden(FrameContext&, const KeyEvent&);
 void reload_shaders(FrameContext&, const KeyEvent&);
 void toggle_navigation(FrameContext&, const KeyEvent&);
 void toggle_white_figures(FrameContext&, const KeyEvent&);
+void toggle_theme(FrameContext&, const KeyEvent&);
 void scale_type(FrameContext&, const KeyEvent&);
 void nudge_pixel(FrameContext&, const KeyEvent&);
 void close_top(FrameContext&, const KeyEvent&);
