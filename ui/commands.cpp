@@ -203,8 +203,16 @@ void reveal_answer(FrameContext& f, const KeyEvent&) {
   if (f.state.lesson) f.state.lesson->revealed = true;
 }
 void toggle_white_figures(FrameContext& f, const KeyEvent&) {
-  f.state.white_figures = !f.state.white_figures;
-  say(f, {f.state.white_figures ? "Figures stand on white." : "Figures stand on dark.", ""});
+  f.state.white_figures = !f.state.figures_on_white();
+  say(f, {*f.state.white_figures ? "Figures stand on white." : "Figures stand on dark.", ""});
+}
+
+void toggle_theme(FrameContext& f, const KeyEvent&) {
+  f.state.light = !f.state.light;
+  use_theme(f.state.light ? kLightTheme : kDarkTheme);
+  say(f,
+      {fmt::format("The {} theme. Figures stand on {}.", theme().name, f.state.figures_on_white() ? "white" : "dark"),
+       ""});
 }
 
 void toggle_navigation(FrameContext& f, const KeyEvent&) {

@@ -34,6 +34,7 @@ void reload_shaders(FrameContext&, const KeyEvent&);
 void toggle_navigation(FrameContext&, const KeyEvent&);
 void toggle_white_figures(FrameContext&, const KeyEvent&);
 void toggle_full_screen(FrameContext&, const KeyEvent&);
+void toggle_theme(FrameContext&, const KeyEvent&);
 void scale_type(FrameContext&, const KeyEvent&);
 void nudge_pixel(FrameContext&, const KeyEvent&);
 void close_top(FrameContext&, const KeyEvent&);

@@ -75,13 +75,13 @@ void draw_label(FrameContext& f, const Box& room, bool at_right, const std::stri
   while (px > kSmallestPx && text_size(text, px).x + 2 * pad > room.width()) px -= 1;
   const ImVec2 size{std::min(text_size(text, px).x + 2 * pad, room.width()), line_height(px) + 2};
   const ImVec2 min{at_right ? room.max.x - size.x : room.min.x, room.max.y - size.y - 3 * line_height(px)};
-  f.painter.fill({min, {min.x + size.x, min.y + size.y}}, kBacking);
-  f.painter.text({min.x + pad, min.y + 1 + above_text(px)}, px, kAccent, text);
+  f.painter.fill({min, {min.x + size.x, min.y + size.y}}, on_picture().backing);
+  f.painter.text({min.x + pad, min.y + 1 + above_text(px)}, px, on_picture().accent, text);
 }
 
 void draw_missing(FrameContext& f, const Box& box, const std::string& why) {
-  f.painter.fill(box, kSurface);
-  draw_paragraphs(f.painter, box.inset(box.width() * 0.1f), {{why, kText, f.type.body}}, 2);
+  f.painter.fill(box, theme().surface);
+  draw_paragraphs(f.painter, box.inset(box.width() * 0.1f), {{why, theme().text, f.type.body}}, 2);
 }
 
 void draw_wipe(FrameContext& f, const Box& panel, const CompareInput& in) {
@@ -94,10 +94,11 @@ void draw_wipe(FrameContext& f, const Box& panel, const CompareInput& in) {
     draw_missing(f, right, in.missing);
   f.painter.list().PopClipRect();
   f.painter.list().AddLine({x, panel.min.y}, {x, panel.max.y}, IM_COL32_BLACK, 3);
-  f.painter.list().AddLine({x, panel.min.y}, {x, panel.max.y}, kAccent, 1);
+  f.painter.list().AddLine({x, panel.min.y}, {x, panel.max.y}, on_picture().accent, 1);
   const float y = (panel.min.y + panel.max.y) / 2, r = std::max(7.0f, f.type.small * 0.6f);
   for (const float sign : {-1.0f, 1.0f})
-    f.painter.list().AddTriangleFilled({x + sign * 3, y - r}, {x + sign * 3, y + r}, {x + sign * (3 + r), y}, kAccent);
+    f.painter.list().AddTriangleFilled({x + sign * 3, y - r}, {x + sign * 3, y + r}, {x + sign * (3 + r), y},
+                                       on_picture().accent);
   draw_label(f, {panel.min, {x - 6, panel.max.y}}, true, label_of(f, true));
   draw_label(f, {{x + 6, panel.min.y}, panel.max}, false, label_of(f, false));
 }
@@ -139,8 +140,9 @@ void draw_difference(FrameContext& f, const Box& panel, const CompareInput& in) 
     if (text.empty()) continue;
     const Box back{{panel.min.x + 2, y},
                    {std::min(panel.max.x, panel.min.x + 2 + text_size(text, px).x + px), y + line}};
-    f.painter.fill(back, kBacking);
-    f.painter.text_in({{back.min.x + px / 2, y + above_text(px)}, {back.max.x, back.max.y + px}}, px, kText, text);
+    f.painter.fill(back, on_picture().backing);
+    f.painter.text_in({{back.min.x + px / 2, y + above_text(px)}, {back.max.x, back.max.y + px}}, px, on_picture().text,
+                      text);
     y += line + 1;
   }
 }

@@ -85,7 +85,7 @@ Box begin_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z, st
     keys.remove_prefix(std::min(space + 1, keys.size()));
   }
   x = std::max(x, at.x + 2 * key_cap_width("[", z.px) + 4) + z.gap;
-  f.painter.text({x, top + above_text(z.px)}, z.px, kText, label);
+  f.painter.text({x, top + above_text(z.px)}, z.px, theme().text, label);
   const float left = std::round(column.min.x + 2 * key_cap_width("[", z.px) + text_size("Normal", z.px).x + 4 * z.gap);
   const Box widget{{left, at.y}, {column.max.x, at.y + z.widget}};
   at.y += z.widget + z.gap;
@@ -119,9 +119,9 @@ void choice_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z, 
   const Box note{{box.min.x, box.max.y + 1}, {box.max.x, box.max.y + 1 + z.note}};
   const std::string mark = sound_mark(o, f.settings);
   if (!mark.empty())
-    f.painter.text_in(note, z.small(), kUnsound, mark);
+    f.painter.text_in(note, z.small(), theme().unsound, mark);
   else
-    f.painter.text_in(note, z.small(), kDim, in_use(o, f.settings) ? "sound" : "not used by this method");
+    f.painter.text_in(note, z.small(), theme().dim, in_use(o, f.settings) ? "sound" : "not used by this method");
   at.y += z.note;
 }
 
@@ -132,7 +132,7 @@ void lights_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) 
   int count = generated ? f.settings.lights.count : f.input.report.light_total;
   const float number = text_size("16 384 ", z.px).x;  // beside the slider: its grab would hide it
   const std::string text = grouped(static_cast<uint64_t>(count));
-  f.painter.text({box.max.x - text_size(text, z.px).x, box.min.y + (z.widget - z.px) / 2}, z.px, kText, text);
+  f.painter.text({box.max.x - text_size(text, z.px).x, box.min.y + (z.widget - z.px) / 2}, z.px, theme().text, text);
   const FontScope font(z.px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::round(z.px * 0.5f), std::floor((z.widget - z.px) / 2)});
   ImGui::SetCursorScreenPos(box.min);
@@ -153,8 +153,8 @@ void options_button(FrameContext& f, const Box& column, ImVec2& at, const Sizes&
 void draw_numbers(FrameContext& f, const Box& column, ImVec2 at, const std::vector<Number>& ns, const Sizes& z) {
   const float label = label_width(ns, z);
   for (const Number& n : ns) {
-    f.painter.text(at, z.px, kDim, n.label);
-    f.painter.text_in({{column.min.x + label, at.y}, {column.max.x, column.max.y}}, z.px, kText, n.value, true);
+    f.painter.text(at, z.px, theme().dim, n.label);
+    f.painter.text_in({{column.min.x + label, at.y}, {column.max.x, column.max.y}}, z.px, theme().text, n.value, true);
     at.y += number_height(n, column.width(), label, z);
   }
 }

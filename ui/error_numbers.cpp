@@ -19,9 +19,9 @@ void draw_histogram(Painter& p, const Box& box, const ErrorStats& stats) {
     if (n == 0) continue;
     const auto share = static_cast<float>(std::log1p(double(n)) / std::log1p(double(most)));
     const float left = box.min.x + step * static_cast<float>(i);
-    p.fill({{left, box.max.y - std::max(2.0f, share * box.height())}, {left + step - 1, box.max.y}}, kDim);
+    p.fill({{left, box.max.y - std::max(2.0f, share * box.height())}, {left + step - 1, box.max.y}}, on_picture().dim);
   }
-  p.fill({{box.min.x, box.max.y}, {box.max.x, box.max.y + 1}}, kText);
+  p.fill({{box.min.x, box.max.y}, {box.max.x, box.max.y + 1}}, on_picture().text);
 }
 
 std::string numbers_text(const ErrorStats& e) {
@@ -44,11 +44,11 @@ void draw_stats(FrameContext& f, const Box& panel, const ErrorStats& stats) {
   const float width = std::max(text_size(text, px).x, text_size(worst, px).x + pad + histogram) + 2 * pad;
   const Box back{{panel.max.x - std::min(width, panel.width() - 8) - 4, panel.min.y + 4},
                  {panel.max.x - 4, panel.min.y + 4 + 3 * line + 2 * pad}};
-  f.painter.fill(back, kBacking);
+  f.painter.fill(back, on_picture().backing);
   const Box room = back.inset(pad);
-  f.painter.text_in({room.min, {room.max.x, room.min.y + line}}, px, kText, text);
-  f.painter.text_in({{room.min.x, room.min.y + line}, {room.max.x - histogram - pad, room.max.y}}, px, kDim, worst,
-                    true);
+  f.painter.text_in({room.min, {room.max.x, room.min.y + line}}, px, on_picture().text, text);
+  f.painter.text_in({{room.min.x, room.min.y + line}, {room.max.x - histogram - pad, room.max.y}}, px, on_picture().dim,
+                    worst, true);
   draw_histogram(f.painter, {{room.max.x - histogram, room.min.y + line + pad}, room.max}, stats);
 }
 
@@ -58,8 +58,8 @@ void draw_progress(FrameContext& f, const Box& panel) {
   const ImVec2 size = text_size(text, px);
   const Box back{{panel.min.x + (panel.width() - size.x) / 2 - px, panel.min.y + panel.height() / 2 - size.y},
                  {panel.min.x + (panel.width() + size.x) / 2 + px, panel.min.y + panel.height() / 2 + size.y}};
-  f.painter.fill(back, kBacking);
-  f.painter.text({back.min.x + px, back.min.y + size.y / 2}, px, kAccent, text);
+  f.painter.fill(back, on_picture().backing);
+  f.painter.text({back.min.x + px, back.min.y + size.y / 2}, px, on_picture().accent, text);
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ constexpr float kMargin = 12;
 struct Ink {
   ImU32 paper, text, dim;
 };
-constexpr Ink kDark{kBackground, kText, kDim};
-constexpr Ink kWhite{IM_COL32_WHITE, IM_COL32(20, 22, 26, 255), IM_COL32(80, 86, 96, 255)};
+Ink ink_on_white() { return {IM_COL32_WHITE, kLightTheme.text, kLightTheme.dim}; }
+Ink ink_on_dark() { return {kDarkTheme.background, kDarkTheme.text, kDarkTheme.dim}; }
 
 std::string method_in_words(const FrameReport& r) {
   if (r.method_reason.empty()) return row(r.drawn.lights.method).label;
@@ -75,7 +75,7 @@ void ask_figure(FrameContext& f) {
   Figure figure;
   figure.first = {static_cast<int>(panel.min.x), static_cast<int>(panel.min.y)};
   figure.size = {static_cast<int>(panel.width()), static_cast<int>(panel.height())};
-  figure.white = f.state.white_figures;
+  figure.white = f.state.figures_on_white();
   figure.caption = {shown_in_words(f)};
   if (const std::string compared = comparison_in_words(f); !compared.empty()) figure.caption.push_back(compared);
   if (const std::string over = overlays_in_words(f); !over.empty()) figure.caption.push_back(over);
@@ -103,7 +103,7 @@ void draw_caption(const Figure& figure) {
   std::vector<std::string> cut;
   Painter p(*ImGui::GetBackgroundDrawList(), cut);
   const Type type = type_for(std::clamp(static_cast<float>(figure.size.x) / 800, 0.8f, 1.6f));
-  const Ink& ink = figure.white ? kWhite : kDark;
+  const Ink ink = figure.white ? ink_on_white() : ink_on_dark();
   p.fill({{0, 0}, ImGui::GetIO().DisplaySize}, ink.paper);
   const float width = static_cast<float>(figure.size.x) - 2 * kMargin;
   float y = kMargin;

@@ -47,6 +47,7 @@ constexpr KeyCommand kCommands[] = {
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F8", "exposure.meter", "meter the exposure from what the lights do on the surfaces that are seen", meter_light},
     {"Shift F12", "figure.window", "save the whole window", save_window},
+    {"Ctrl+T", "theme", "light colours or dark ones; figures then stand on white or on dark", toggle_theme},
     {"Ctrl+F12", "figure.white", "captions of figures on white, or on dark again", toggle_white_figures},
     {"F12", "figure", "save the chosen panel exactly as shown, with a caption", save_panel},
     {"Ctrl+Shift C", "copy.command", "the command line that draws this picture, onto the clipboard", copy_command},

@@ -29,9 +29,9 @@ void draw_row(Painter& p, ImVec2 at, const std::vector<LegendEntry>& entries, co
     const float top = at.y + (m.line - m.swatch) / 2;
     const Box swatch{{at.x, top}, {at.x + m.swatch, top + m.swatch}};
     p.fill(swatch, packed(e.colour));
-    p.outline(swatch, kDim, 1);  // black on dark is a swatch, too
+    p.outline(swatch, on_picture().dim, 1);  // black on dark is a swatch, too
     at.x += m.swatch + m.gap / 2;
-    at.x += p.text({at.x, at.y + above_text(m.px)}, m.px, kText, e.label).x + 2 * m.gap;
+    at.x += p.text({at.x, at.y + above_text(m.px)}, m.px, on_picture().text, e.label).x + 2 * m.gap;
   }
 }
 
@@ -60,22 +60,22 @@ void fill_bar(Painter& p, const Box& bar, const std::vector<LegendEntry>& entrie
       p.list().AddRectFilledMultiColor({bar.min.x, bar.max.y - bar.height() * b},
                                        {bar.max.x, bar.max.y - bar.height() * a}, to, to, from, from);
   }
-  p.outline(bar, kDim, 1);
+  p.outline(bar, on_picture().dim, 1);
 }
 
 void draw_lying_bar(Painter& p, const Box& panel, const Legend& legend, float bar, const Metrics& m) {
   const float beyond = std::max(label_width(legend.entries.back(), m), row_width(legend.apart, m));
   const Box back{{panel.min.x + 2, panel.max.y - 2 - m.swatch - m.line - 2 * m.gap},
                  {panel.min.x + 2 + bar + beyond + 2 * m.gap, panel.max.y - 2}};
-  p.fill(back, kBacking);
+  p.fill(back, on_picture().backing);
   const ImVec2 at{back.min.x + m.gap, back.min.y + m.gap};
   fill_bar(p, {at, {at.x + bar, at.y + m.swatch}}, legend.entries, true);
   const float step = bar / static_cast<float>(legend.entries.size() - 1);
   for (size_t i = 0; i < legend.entries.size(); ++i) {
     const float x = at.x + step * static_cast<float>(i);
     if (legend.entries[i].label.empty()) continue;
-    p.list().AddLine({x, at.y}, {x, at.y + m.swatch + m.gap}, kDim);
-    p.text({x + 3, at.y + m.swatch + above_text(m.px)}, m.px, kText, legend.entries[i].label);
+    p.list().AddLine({x, at.y}, {x, at.y + m.swatch + m.gap}, on_picture().dim);
+    p.text({x + 3, at.y + m.swatch + above_text(m.px)}, m.px, on_picture().text, legend.entries[i].label);
   }
   draw_row(p, {at.x + bar + 2 * m.gap, at.y + (m.swatch - m.line) / 2}, legend.apart, m);
 }
@@ -86,15 +86,15 @@ void draw_standing_bar(Painter& p, const Box& panel, const Legend& legend, const
   for (const LegendEntry& e : legend.entries) width = std::max(width, m.swatch + m.gap + label_width(e, m));
   const Box back{{panel.min.x + 2, panel.max.y - 2 - rows * m.line - 2 * m.gap},
                  {panel.min.x + 2 + width + 2 * m.gap, panel.max.y - 2}};
-  p.fill(back, kBacking);
+  p.fill(back, on_picture().backing);
   const ImVec2 at{back.min.x + m.gap, back.min.y + m.gap};
   const size_t n = legend.entries.size();
   // The bar's ends stand at the middle of the first and last label.
   fill_bar(p, {{at.x, at.y + m.line / 2}, {at.x + m.swatch, at.y + (static_cast<float>(n) - 0.5f) * m.line}},
            legend.entries, false);
   for (size_t i = 0; i < n; ++i)
-    p.text({at.x + m.swatch + m.gap, at.y + static_cast<float>(n - 1 - i) * m.line + above_text(m.px)}, m.px, kText,
-           legend.entries[i].label);
+    p.text({at.x + m.swatch + m.gap, at.y + static_cast<float>(n - 1 - i) * m.line + above_text(m.px)}, m.px,
+           on_picture().text, legend.entries[i].label);
   draw_row(p, {at.x, at.y + static_cast<float>(n) * m.line}, legend.apart, m);
 }
 
@@ -108,7 +108,7 @@ void draw_legend(Painter& p, const Box& panel, const Legend& legend, float px) {
     const Metrics m(px);
     const Box back{{panel.min.x + 2, panel.max.y - 2 - m.line - m.gap},
                    {panel.min.x + 2 + row_width(legend.entries, m), panel.max.y - 2}};
-    p.fill(back, kBacking);
+    p.fill(back, on_picture().backing);
     return draw_row(p, {back.min.x + m.gap, back.min.y + m.gap / 2}, legend.entries, m);
   }
   const Metrics m(px);

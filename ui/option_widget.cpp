@@ -27,7 +27,7 @@ void draw_value(FrameContext& f, const Option& o, const ValueRow& r, bool select
   if (*r.cost) text += fmt::format("   {}", r.cost);
   if (!r.sound()) text += fmt::format("   unsound: {}", id_of(r.pitfall));
   if (!available) text += f.input.features.has(r.needs) ? "   not with these settings" : "   " + reason;
-  ImGui::PushStyleColor(ImGuiCol_Text, r.sound() ? kText : kUnsound);
+  ImGui::PushStyleColor(ImGuiCol_Text, r.sound() ? theme().text : theme().unsound);
   if (ImGui::Selectable(text.c_str(), selected, available ? 0 : ImGuiSelectableFlags_Disabled)) edit_option(f, o, r.id);
   ImGui::PopStyleColor();
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
@@ -37,7 +37,7 @@ void draw_value(FrameContext& f, const Option& o, const ValueRow& r, bool select
   ImGui::PushTextWrapPos(f.type.body * 26);
   ImGui::TextUnformatted(r.help);
   if (*r.source) ImGui::TextDisabled("%s", r.source);
-  if (!available) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kUnsound), "%s", reason.c_str());
+  if (!available) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(theme().unsound), "%s", reason.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

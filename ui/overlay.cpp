@@ -68,10 +68,10 @@ void draw_notices(FrameContext& f) {
     const float px = f.painter.fit(text, {width, f.type.body * 12}, f.type.body, true);
     const Box box{canvas.min, {canvas.max.x, canvas.min.y + text_size(text, px, width).y + 2 * pad}};
     Painter p(*ImGui::GetForegroundDrawList(), s.cut_texts);
-    p.fill(box, kSurface);
-    p.outline(box, kLine, 1);
-    p.fill({box.min, {box.min.x + pad / 2, box.max.y}}, kAccent);
-    p.text({box.min.x + pad, box.min.y + pad}, px, kText, text, width);
+    p.fill(box, theme().surface);
+    p.outline(box, theme().line, 1);
+    p.fill({box.min, {box.min.x + pad / 2, box.max.y}}, theme().accent);
+    p.text({box.min.x + pad, box.min.y + pad}, px, theme().text, text, width);
   }
 }
 
@@ -80,8 +80,8 @@ void draw_hidden_hint(FrameContext& f) {
   const std::string_view hint = "F2 brings the panels back";
   const ImVec2 size = text_size(hint, f.type.small);
   const Box box{{canvas.max.x - size.x - 16, canvas.max.y - size.y - 10}, canvas.max};
-  f.painter.fill(box, kBacking);
-  f.painter.text({box.min.x + 8, box.min.y + 5}, f.type.small, kDim, hint);
+  f.painter.fill(box, on_picture().backing);
+  f.painter.text({box.min.x + 8, box.min.y + 5}, f.type.small, on_picture().dim, hint);
 }
 
 }  // namespace gbl::ui

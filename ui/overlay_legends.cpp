@@ -63,8 +63,8 @@ float draw_overlay_legends(Painter& p, const Box& panel, float top, const std::v
     float size = px;
     while (size > kSmallestPx && text_size(text, size).x + 2 * pad > room) size -= 1;
     const Box back{{panel.min.x + 2, top}, {panel.min.x + 2 + text_size(text, size).x + 2 * pad, top + line + 2}};
-    p.fill(back, kBacking);
-    p.text({back.min.x + pad, top + 1 + above_text(px)}, size, kText, text);
+    p.fill(back, on_picture().backing);
+    p.text({back.min.x + pad, top + 1 + above_text(px)}, size, on_picture().text, text);
     top = back.max.y + 1;
     if (o.legend.entries.empty() || o.legend.bar) continue;
     draw_legend(p, {{panel.min.x, top}, {panel.max.x, top + std::round(px * 1.28f) + pad + 4}}, o.legend, px);

@@ -80,7 +80,7 @@ void mark_pixel(FrameContext& f, View v, const Box& picture, glm::ivec2 pixel) {
   if (at.x < 0 || at.y < 0 || at.x > 1 || at.y > 1) return;
   const ImVec2 c{picture.min.x + at.x * picture.width(), picture.min.y + at.y * picture.height()};
   const float far = 8 * f.layout.unit, near = 3 * f.layout.unit;
-  for (const auto& [colour, width] : {std::pair(IM_COL32(0, 0, 0, 255), 3.0f), std::pair(kText, 1.0f)})
+  for (const auto& [colour, width] : {std::pair(IM_COL32(0, 0, 0, 255), 3.0f), std::pair(on_picture().text, 1.0f)})
     for (const float sign : {-1.0f, 1.0f}) {
       f.painter.list().AddLine({c.x + sign * near, c.y}, {c.x + sign * far, c.y}, colour, width);
       f.painter.list().AddLine({c.x, c.y + sign * near}, {c.x, c.y + sign * far}, colour, width);
@@ -92,7 +92,7 @@ float backed_line(FrameContext& f, ImVec2 at, float width, ImU32 colour, float p
   const float pad = std::round(px * 0.4f);
   px = f.painter.fit(text, {width - 2 * pad, px * 8}, px, true);
   const ImVec2 size = text_size(text, px, width - 2 * pad);
-  f.painter.fill({{at.x, at.y - size.y - 2 * pad}, {at.x + size.x + 2 * pad, at.y}}, kBacking);
+  f.painter.fill({{at.x, at.y - size.y - 2 * pad}, {at.x + size.x + 2 * pad, at.y}}, on_picture().backing);
   f.painter.text({at.x + pad, at.y - size.y - pad}, px, colour, text, width - 2 * pad);
   return size.y + 2 * pad;
 }
@@ -103,7 +103,7 @@ void draw_texts_on_main(FrameContext& f, const Box& panel) {
   const std::optional<Light> light = picked_light(f.settings, f.input.lights);
   if (f.state.show_distance && light) {
     const double distance = distance_in_ranges(f.settings.camera, *light);
-    at.y -= backed_line(f, at, panel.width() - 8, kAccent, f.type.large,
+    at.y -= backed_line(f, at, panel.width() - 8, on_picture().accent, f.type.large,
                         fmt::format("light {}   d/r {:.2f}   {}", f.settings.view.pick, distance,
                                     distance < 1 ? "the camera is inside" : "the camera is outside")) +
             4;
@@ -111,11 +111,11 @@ void draw_texts_on_main(FrameContext& f, const Box& panel) {
   if (f.state.lesson && f.state.caption) {
     const Sentence& s = f.state.caption->sentence;
     if (!s.pitfall.empty())
-      at.y -= backed_line(f, at, panel.width() - 8, kUnsound, f.type.body,
+      at.y -= backed_line(f, at, panel.width() - 8, on_picture().unsound, f.type.body,
                           fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall));
-    at.y -= backed_line(f, at, panel.width() - 8, kText, f.type.body, s.text) + 4;
+    at.y -= backed_line(f, at, panel.width() - 8, on_picture().text, f.type.body, s.text) + 4;
   }
-  if (!f.input.banner.empty()) backed_line(f, at, panel.width() - 8, kAccent, f.type.body, f.input.banner);
+  if (!f.input.banner.empty()) backed_line(f, at, panel.width() - 8, on_picture().accent, f.type.body, f.input.banner);
 }
 
 void draw_panel(FrameContext& f, View v, const Box& panel) {
@@ -131,7 +131,7 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   draw_view_panel(f.painter, own, v, image, f.stored, legend_now(v, f.stored, f.input), look);
   if (v == f.layout.main) draw_comparison(f, panel);
   if (f.requests.visible[static_cast<size_t>(v)]) draw_pixel_grid(f, v, picture_box(own, image.size));
-  if (f.state.focused == v) f.painter.outline(panel, kText, std::round(4 * f.layout.unit));
+  if (f.state.focused == v) f.painter.outline(panel, on_picture().text, std::round(4 * f.layout.unit));
   if (f.state.hidden || (f.state.hovered == v && !f.state.held_at)) return;
   const std::optional<glm::ivec2> pixel = f.state.held_at ? f.held_pixel() : f.state.hovered_pixel;
   if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, v, picture_box(own, image.size), *pixel);

@@ -8,15 +8,6 @@
 namespace gbl::ui {
 namespace {
 
-// Okabe and Ito 2008, "Color Universal Design", green, purple and vermilion lightened for the dark ground; white
-// stands for their black, and their blue, too dark here, is left out. Seven, for the eight marks: no common factor.
-constexpr ImU32 kColours[] = {
-    IM_COL32(86, 180, 233, 255),  IM_COL32(240, 159, 40, 255), IM_COL32(52, 200, 160, 255),
-    IM_COL32(222, 150, 196, 255), IM_COL32(240, 228, 66, 255), IM_COL32(240, 110, 60, 255),
-    IM_COL32(238, 240, 244, 255),
-};
-constexpr ImU32 kEdge = IM_COL32(10, 12, 15, 255);  // around marks: they stay apart where they overlap
-
 constexpr double kClosest = 1e-4, kWidest = 3;  // zoom, as shares of the whole
 
 // Corners on the unit circle's square, y downwards.
@@ -49,11 +40,11 @@ std::vector<std::vector<int>> parts_of(Mark mark) {
 }  // namespace
 
 SeriesLook series_look(size_t n) {
-  return {static_cast<Mark>(n % kMarks), kColours[n % std::size(kColours)], (n / kMarks) % 2 == 1};
+  return {static_cast<Mark>(n % kMarks), theme().series[n % theme().series.size()], (n / kMarks) % 2 == 1};
 }
 
 void draw_mark(ImDrawList& list, ImVec2 centre, float radius, const SeriesLook& look) {
-  const ImU32 inside = look.hollow ? kEdge : look.colour, border = look.hollow ? look.colour : kEdge;
+  const ImU32 inside = look.hollow ? theme().edge : look.colour, border = look.hollow ? look.colour : theme().edge;
   const float thickness = look.hollow ? std::max(1.5f, radius * 0.35f) : 1;
   if (look.mark == Mark::disc) {
     list.AddCircleFilled(centre, radius, inside, 16);
@@ -143,7 +134,8 @@ void draw_dashes(ImDrawList& list, ImVec2 from, ImVec2 to, float dash) {
   const ImVec2 step{(to.x - from.x) / length, (to.y - from.y) / length};
   for (float at = 0; at < length; at += 2 * dash) {
     const float end = std::min(at + dash, length);
-    list.AddLine({from.x + at * step.x, from.y + at * step.y}, {from.x + end * step.x, from.y + end * step.y}, kDim, 1);
+    list.AddLine({from.x + at * step.x, from.y + at * step.y}, {from.x + end * step.x, from.y + end * step.y},
+                 theme().dim, 1);
   }
 }
 
@@ -158,10 +150,10 @@ void Plot::draw_x_ticks() {
     if (is_zero_place(x_.scale, t))
       draw_dashes(painter_.list(), {at, frame_.max.y}, {at, frame_.min.y}, px_ / 2);
     else
-      painter_.list().AddLine({at, frame_.min.y}, {at, frame_.max.y}, kRaised, 1);
+      painter_.list().AddLine({at, frame_.min.y}, {at, frame_.max.y}, theme().raised, 1);
     const float width = text_size(t.label, px_).x;
     if (at - width / 2 < free_from) continue;
-    painter_.text({at - width / 2, frame_.max.y + px_ * 0.35f}, px_, kText, t.label);
+    painter_.text({at - width / 2, frame_.max.y + px_ * 0.35f}, px_, theme().text, t.label);
     free_from = at + width / 2 + px_ * 0.6f;
   }
 }
@@ -173,19 +165,19 @@ void Plot::draw_y_ticks() {
     if (is_zero_place(y_.scale, t))
       draw_dashes(painter_.list(), {frame_.min.x, at}, {frame_.max.x, at}, px_ / 2);
     else
-      painter_.list().AddLine({frame_.min.x, at}, {frame_.max.x, at}, kRaised, 1);
+      painter_.list().AddLine({frame_.min.x, at}, {frame_.max.x, at}, theme().raised, 1);
     const ImVec2 size = text_size(t.label, px_);
     if (at + size.y / 2 > free_below) continue;
-    painter_.text({frame_.min.x - size.x - px_ * 0.5f, at - size.y / 2}, px_, kText, t.label);
+    painter_.text({frame_.min.x - size.x - px_ * 0.5f, at - size.y / 2}, px_, theme().text, t.label);
     free_below = at - size.y / 2;
   }
 }
 
 void Plot::draw_axes() {
-  painter_.fill(frame_, kBackground);
+  painter_.fill(frame_, theme().background);
   draw_x_ticks();
   draw_y_ticks();
-  painter_.outline(frame_, kLine, 1);
+  painter_.outline(frame_, theme().line, 1);
 }
 
 void Plot::draw_line(const std::vector<glm::dvec2>& points, ImU32 colour, float thickness) {
@@ -241,9 +233,9 @@ void draw_legend_row(Painter& p, const Box& box, const LegendRow& r, float px) {
   if (r.on) draw_mark(p.list(), mark, px * 0.42f, r.look);
   const Box words{{x + px * 2.1f, box.min.y + above_text(px)}, {box.max.x, box.max.y + px}};
   const float size = p.fit(r.name, words.size(), px, false);
-  const ImVec2 taken = p.text(words.min, size, r.on ? kText : kDim, r.name);
+  const ImVec2 taken = p.text(words.min, size, r.on ? theme().text : theme().dim, r.name);
   const float middle = std::floor(words.min.y + taken.y / 2);
-  if (!r.on) p.list().AddLine({words.min.x, middle}, {words.min.x + taken.x, middle}, kDim, 1);
+  if (!r.on) p.list().AddLine({words.min.x, middle}, {words.min.x + taken.x, middle}, theme().dim, 1);
 }
 
 }  // namespace

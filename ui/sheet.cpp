@@ -55,10 +55,10 @@ void draw_sheet(const Sheet& sheet, const Settings& s, const Input& in) {
   Painter p(*ImGui::GetBackgroundDrawList(), cut_texts);
   const SheetLayout l = lay_out(sheet, s);
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  p.fill({{0, 0}, display}, kBackground);
+  p.fill({{0, 0}, display}, theme().background);
   const float right = l.width - kMargin;
-  p.text_in({{kMargin, kMargin}, {right, l.head}}, l.type.large, kText, sheet.title, true);
-  p.text_in({{kMargin, kMargin + l.title}, {right, l.head}}, l.type.body, kDim, sheet.caption, true);
+  p.text_in({{kMargin, kMargin}, {right, l.head}}, l.type.large, theme().text, sheet.title, true);
+  p.text_in({{kMargin, kMargin + l.title}, {right, l.head}}, l.type.body, theme().dim, sheet.caption, true);
   for (size_t i = 0; i < sheet.tiles.size(); ++i) {
     const SheetTile& tile = sheet.tiles[i];
     const float column = static_cast<float>(static_cast<int>(i) % l.columns),
@@ -69,8 +69,8 @@ void draw_sheet(const Sheet& sheet, const Settings& s, const Input& in) {
     look.px = l.type.small;
     if (tile.overlaid) look.overlays = overlay_legends(tile.view, s, in);
     draw_view_panel(p, panel, tile.view, tile.image, s, legend_now(tile.view, s, in), look);
-    p.text_in({{min.x, panel.max.y + 4}, {panel.max.x, panel.max.y + l.caption}}, l.type.body, kText, tile.caption,
-              true);
+    p.text_in({{min.x, panel.max.y + 4}, {panel.max.x, panel.max.y + l.caption}}, l.type.body, theme().text,
+              tile.caption, true);
   }
 }
 

@@ -8,9 +8,9 @@ void draw_start(const std::string& line) {
   Painter p(*ImGui::GetBackgroundDrawList(), cut);
   const Type type = type_for(std::min(display.x / 1600, display.y / 900));
   const Box all{{0, 0}, display}, room = all.inset(std::floor(display.x / 16));
-  p.fill(all, kBackground);
+  p.fill(all, theme().background);
   draw_paragraphs(p, {{room.min.x, display.y * 0.4f}, room.max},
-                  {{"G-Buffer Lab", kAccent, type.large * 2}, {line, kText, type.large}}, type.body);
+                  {{"G-Buffer Lab", theme().accent, type.large * 2}, {line, theme().text, type.large}}, type.body);
 }
 
 }  // namespace gbl::ui

@@ -88,7 +88,9 @@ struct State {
   std::array<std::optional<Zoom>, kViewCount> own_zoom;  // of panels that are not linked to the others
   std::optional<View> panning;                           // by the middle button
   bool saving_panel = false;                             // in this frame: without what is no part of the picture
-  bool white_figures = false;
+  bool light = false;                                    // the theme
+  std::optional<bool> white_figures;                     // empty: as the theme is
+  bool figures_on_white() const { return white_figures.value_or(light); }
   bool histogram = false;                 // of the large view
   std::optional<glm::dvec2> held_before;  // the last click
   std::optional<View> focused;            // has the panel keys

@@ -63,15 +63,15 @@ float status_height(const Type& type) { return std::round(type.small * 1.92f); }
 
 void draw_status_bar(FrameContext& f) {
   const Box& bar = f.layout.status;
-  f.painter.fill(bar, kSurface);
+  f.painter.fill(bar, theme().surface);
   const float px = f.type.small, pad = px * 0.8f, y = std::floor((bar.min.y + bar.max.y - px * 1.17f) / 2);
   const std::string right = right_text(f);
   const float right_x = bar.max.x - pad - text_size(right, px).x;
-  f.painter.text({right_x, y}, px, kDim, right);
+  f.painter.text({right_x, y}, px, theme().dim, right);
 
   std::string left = "Point at a picture to read its pixel here; a click holds it. F1 shows the keys.";
   if (f.input.probe && (f.state.held_at || f.state.hovered_pixel)) left = pixel_in_words(f, *f.input.probe);
-  f.painter.text_in({{bar.min.x + pad, y}, {right_x - 2 * pad, bar.max.y}}, px, kText, left);
+  f.painter.text_in({{bar.min.x + pad, y}, {right_x - 2 * pad, bar.max.y}}, px, theme().text, left);
 }
 
 }  // namespace gbl::ui

@@ -31,9 +31,9 @@ constexpr Pass kFlow[] = {Pass::geometry, Pass::lighting, Pass::combine};
 
 void draw_arrow(Painter& p, const Box& gap) {
   const float y = (gap.min.y + gap.max.y) / 2, size = gap.width() * 0.28f;
-  p.list().AddLine({gap.min.x + size, y}, {gap.max.x - size, y}, kDim, 2);
+  p.list().AddLine({gap.min.x + size, y}, {gap.max.x - size, y}, theme().dim, 2);
   p.list().AddTriangleFilled({gap.max.x - size, y - size}, {gap.max.x - size / 4, y}, {gap.max.x - size, y + size},
-                             kDim);
+                             theme().dim);
 }
 
 float widest(const std::vector<std::string>& lines, float px) {
@@ -64,7 +64,7 @@ float draw_flow(FrameContext& f, const Box& room, float most_height) {
   for (int i = 0; i < 3; ++i) {
     const float width = std::round(need(i) + spare() / 3);
     const Box box{{x, room.min.y}, {x + width, room.min.y + height()}};
-    f.painter.fill(box, kSurface, 4);
+    f.painter.fill(box, theme().surface, 4);
     f.painter.fill({box.min, {box.min.x + pad / 2, box.max.y}}, pass_colour(kFlow[i]));
     const ImVec2 title{box.min.x + 2 * pad, (box.min.y + box.max.y - px - 2) / 2};
     const float left = title.x + f.painter.text(title, px + 2, pass_colour(kFlow[i]), pass_label(kFlow[i])).x + 2 * pad;
@@ -72,7 +72,7 @@ float draw_flow(FrameContext& f, const Box& room, float most_height) {
     const float top = (box.min.y + box.max.y - static_cast<float>(rows_used) * line_height(px)) / 2;
     for (size_t k = 0; k < lines[i].size(); ++k) {
       const auto column = static_cast<float>(k / kMostTargets), line = static_cast<float>(k % kMostTargets);
-      f.painter.text({left + column * column_width(i), top + line * line_height(px) + above_text(px)}, px, kText,
+      f.painter.text({left + column * column_width(i), top + line * line_height(px) + above_text(px)}, px, theme().text,
                      lines[i][k]);
     }
     if (i > 0) draw_arrow(f.painter, {{x - gap, box.min.y}, {x, box.max.y}});
@@ -84,10 +84,10 @@ float draw_flow(FrameContext& f, const Box& room, float most_height) {
 void draw_caption(FrameContext& f, const Box& room) {
   const Sentence& s = f.state.caption->sentence;
   const float bar = std::round(5 * f.layout.unit);
-  f.painter.fill({room.min, {room.min.x + bar, room.max.y}}, s.pitfall.empty() ? kAccent : kUnsound);
-  std::vector<Paragraph> paragraphs{{s.text, kText, f.type.large}};
+  f.painter.fill({room.min, {room.min.x + bar, room.max.y}}, s.pitfall.empty() ? theme().accent : theme().unsound);
+  std::vector<Paragraph> paragraphs{{s.text, theme().text, f.type.large}};
   if (!s.pitfall.empty())
-    paragraphs.push_back({fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall), kUnsound, f.type.large});
+    paragraphs.push_back({fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall), theme().unsound, f.type.large});
   draw_paragraphs(f.painter, {{room.min.x + 3 * bar, room.min.y}, room.max}, paragraphs, 2);
 }
 
@@ -95,9 +95,9 @@ void draw_sentences(FrameContext& f, const Box& room) {
   const ViewRow& v = row(f.chosen());
   const Preset* now = preset_of(f.settings);
   const bool start = now && std::string_view(now->id) == "start";
-  std::vector<Paragraph> paragraphs{{fmt::format("{}{}{}: {}", v.key, *v.key ? "  " : "", v.label, v.sentence), kText,
-                                     start ? f.type.body + 1 : f.type.large}};
-  if (start) paragraphs.push_back({kFirstQuestion, kAccent, f.type.large});
+  std::vector<Paragraph> paragraphs{{fmt::format("{}{}{}: {}", v.key, *v.key ? "  " : "", v.label, v.sentence),
+                                     theme().text, start ? f.type.body + 1 : f.type.large}};
+  if (start) paragraphs.push_back({kFirstQuestion, theme().accent, f.type.large});
   draw_paragraphs(f.painter, room, paragraphs, std::round(5 * f.layout.unit));
 }
 

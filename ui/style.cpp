@@ -19,13 +19,12 @@ struct PassLook {
   Pass pass;
   const char* label;
   const char* name;
-  ImU32 colour;
 };
 constexpr PassLook kPassLooks[] = {
-    {Pass::geometry, "Fill", "geometry pass (Fill)", IM_COL32(86, 180, 233, 255)},
-    {Pass::lighting, "Light", "lighting pass (Light)", IM_COL32(240, 159, 40, 255)},
-    {Pass::combine, "Combine", "combine pass (Combine)", IM_COL32(52, 200, 160, 255)},
-    {Pass::display, "Show", "display transform (Show)", IM_COL32(222, 150, 196, 255)},
+    {Pass::geometry, "Fill", "geometry pass (Fill)"},
+    {Pass::lighting, "Light", "lighting pass (Light)"},
+    {Pass::combine, "Combine", "combine pass (Combine)"},
+    {Pass::display, "Show", "display transform (Show)"},
 };
 constexpr bool passes_in_order() {
   for (size_t i = 0; i < std::size(kPassLooks); ++i)
@@ -35,29 +34,9 @@ constexpr bool passes_in_order() {
 static_assert(passes_in_order());
 const PassLook& look_of(Pass pass) { return kPassLooks[static_cast<size_t>(pass)]; }
 
-ImVec4 colour(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
-
-void set_colours(ImGuiStyle& style) {
-  ImGui::StyleColorsDark(&style);
-  ImVec4* c = style.Colors;
-  c[ImGuiCol_Text] = colour(kText);
-  c[ImGuiCol_TextDisabled] = colour(kDim);
-  c[ImGuiCol_WindowBg] = colour(kBackground);
-  c[ImGuiCol_PopupBg] = colour(kSurface);
-  c[ImGuiCol_Border] = colour(kLine);
-  c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = c[ImGuiCol_Header] = colour(kRaised);
-  c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] =
-      colour(IM_COL32(62, 69, 82, 255));
-  c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = colour(IM_COL32(76, 84, 100, 255));
-  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = c[ImGuiCol_CheckMark] = colour(kAccent);
-  c[ImGuiCol_NavHighlight] = colour(kAccent);
-  c[ImGuiCol_TextSelectedBg] = colour(IM_COL32(96, 86, 52, 255));
-  c[ImGuiCol_ScrollbarBg] = colour(kSurface);
-}
-
 }  // namespace
 
-ImU32 pass_colour(Pass pass) { return look_of(pass).colour; }
+ImU32 pass_colour(Pass pass, const Theme& t) { return t.passes[static_cast<size_t>(pass)]; }
 const char* pass_label(Pass pass) { return look_of(pass).label; }
 const char* pass_name(Pass pass) { return look_of(pass).name; }
 
@@ -78,8 +57,8 @@ void set_up_style() {
   for (const float px : kFontSizes)
     io.Fonts->AddFontFromMemoryTTF(const_cast<char*>(font.data()), static_cast<int>(font.size()), px, &config, kGlyphs);
 
+  use_theme(kDarkTheme);
   ImGuiStyle& style = ImGui::GetStyle();
-  set_colours(style);
   style.WindowPadding = {0, 0};
   style.WindowBorderSize = style.WindowRounding = 0;
   style.FrameRounding = style.PopupRounding = style.GrabRounding = 4;

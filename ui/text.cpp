@@ -46,10 +46,10 @@ float key_cap_width(std::string_view key, float px) {
 float Painter::key_cap(ImVec2 at, float px, std::string_view key) {
   const float width = key_cap_width(key, px);
   const Box cap{at, {at.x + width, at.y + line_height(px)}};
-  fill(cap, kRaised, 3);
-  list_->AddRect(cap.min, cap.max, kLine, 3);
+  fill(cap, theme().raised, 3);
+  list_->AddRect(cap.min, cap.max, theme().line, 3);
   const ImVec2 size = text_size(key, px);
-  text({at.x + (width - size.x) / 2, at.y + (cap.height() - size.y) / 2}, px, kAccent, key);
+  text({at.x + (width - size.x) / 2, at.y + (cap.height() - size.y) / 2}, px, theme().accent, key);
   return width;
 }
 
@@ -89,7 +89,7 @@ void draw_fields(Painter& p, const Box& box, const std::vector<Field>& fields, f
   float y = box.min.y;
   for (const Field& q : fields) {
     const Box room{{box.min.x + label, y}, {box.max.x, box.max.y}};
-    p.text({box.min.x, y}, px, kDim, q.label);
+    p.text({box.min.x, y}, px, theme().dim, q.label);
     p.text_in(room, px, q.colour, q.text, true);
     y += height(q);
   }

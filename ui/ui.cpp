@@ -63,6 +63,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   State& s = *state_;
   s.cut_texts.clear();
   Requests requests;
+  use_theme(s.light ? kLightTheme : kDarkTheme);
   begin_root(ImGui::GetIO().DisplaySize);
   if (ImGui::GetIO().DisplaySize.x < kLeastWindow.x || ImGui::GetIO().DisplaySize.y < kLeastWindow.y) {
     ImGui::End();
@@ -75,7 +76,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   s.history.see(settings);
   take_input(f, keys);
 
-  f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, kBackground);
+  f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, theme().background);
   draw_pictures(f);
   if (!s.hidden) {
     draw_strip(f);

@@ -26,19 +26,20 @@ void draw_badge(Painter& p, const Box& panel, const ViewRow& view, std::string s
 
   const float height = std::round(px * 1.28f) + 2;
   const Box back{{panel.min.x + 2, panel.min.y + 2}, {panel.min.x + 2 + width(px) + 5 * pad, panel.min.y + 2 + height}};
-  p.fill(back, kBacking);
-  p.fill({back.min, {back.min.x + pad, back.max.y}}, pass_colour(view.written_by));
+  p.fill(back, on_picture().backing);
+  p.fill({back.min, {back.min.x + pad, back.max.y}}, pass_colour(view.written_by, on_picture()));
   ImVec2 at{back.min.x + 2 * pad, back.min.y + 1 + above_text(px)};
-  if (*view.key) at.x += p.text(at, px, kAccent, view.key).x + pad;
-  at.x += p.text(at, px, kText, name).x + 2 * pad;
-  p.text(at, px, kDim, stored);
+  if (*view.key) at.x += p.text(at, px, on_picture().accent, view.key).x + pad;
+  at.x += p.text(at, px, on_picture().text, name).x + 2 * pad;
+  p.text(at, px, on_picture().dim, stored);
 }
 
 void draw_missing(Painter& p, const Box& panel, const std::string& why, const PanelLook& look) {
-  p.fill(panel, kSurface);
+  p.fill(panel, theme().surface);
   const Box room{{panel.min.x + panel.width() * 0.1f, panel.min.y + panel.height() * 0.3f},
                  {panel.max.x - panel.width() * 0.1f, panel.max.y - panel.height() * 0.1f}};
-  draw_paragraphs(p, room, {{"Not stored", kAccent, look.px * 1.3f}, {why, kText, look.px * 1.1f}}, look.px * 0.4f);
+  draw_paragraphs(p, room, {{"Not stored", theme().accent, look.px * 1.3f}, {why, theme().text, look.px * 1.1f}},
+                  look.px * 0.4f);
 }
 
 }  // namespace
@@ -76,8 +77,8 @@ void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& imag
       p.list().AddImage(reinterpret_cast<ImTextureID>(image.texture), picture.min, picture.max, top_left, bottom_right);
   }
   const float thickness = std::max(2.0f, std::round(panel.width() / 300));
-  p.outline(panel, pass_colour(view.written_by), thickness);
-  if (look.chosen) p.outline(panel.inset(thickness), kAccent, thickness);
+  p.outline(panel, pass_colour(view.written_by, on_picture()), thickness);
+  if (look.chosen) p.outline(panel.inset(thickness), on_picture().accent, thickness);
   if (look.words) {
     const Box room = panel.inset(look.chosen ? thickness * 2 - 2 : 0);
     draw_badge(p, room, view, why.empty() ? stored_as(v, s) : "", look);

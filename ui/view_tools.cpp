@@ -179,18 +179,18 @@ void draw_bars(FrameContext& f, const Box& plot, const ViewStats& stats, const g
                   right = std::max(left + 1, x_of(stats.binned.x + step * (i + 1)));
       const auto share = static_cast<float>(std::log1p(double(n)) / std::log1p(double(most)));
       f.painter.fill({{left, plot.max.y - std::max(2.0f, share * plot.height())}, {right, plot.max.y}},
-                     components == 1 ? kDim : kInks[c]);
+                     components == 1 ? on_picture().dim : kInks[c]);
     }
-  f.painter.fill({{plot.min.x, plot.max.y}, {plot.max.x, plot.max.y + 1}}, kText);
+  f.painter.fill({{plot.min.x, plot.max.y}, {plot.max.x, plot.max.y + 1}}, on_picture().text);
 }
 
 void draw_histogram(FrameContext& f) {
   const Box box = histogram_box(f), plot = plot_box(f);
   const float px = f.type.small, line = line_height(px), grip = std::round(px * 0.6f);
-  f.painter.fill(box, kBacking, 3);
+  f.painter.fill(box, on_picture().backing, 3);
   const ViewStats* stats = stats_of_main(f);
   if (!stats || stats->pixels == 0) {
-    f.painter.text_in(plot, px, kText, "no pixel of it has a number yet", true);
+    f.painter.text_in(plot, px, on_picture().text, "no pixel of it has a number yet", true);
     return;
   }
   const glm::dvec2 axis = axis_of(f, *stats), range = range_now(f);
@@ -200,12 +200,13 @@ void draw_histogram(FrameContext& f) {
     const float x = plot.min.x + static_cast<float>(t) * plot.width();
     const ImVec2 a{x, plot.max.y}, b{x - grip, plot.max.y + 1.6f * grip}, c{x + grip, plot.max.y + 1.6f * grip};
     f.painter.list().AddTriangleFilled(a, b, c, k == 0 ? IM_COL32_BLACK : IM_COL32_WHITE);
-    f.painter.list().AddTriangle(a, b, c, kAccent);
+    f.painter.list().AddTriangle(a, b, c, on_picture().accent);
   }
   const int components = row(f.layout.main).values.components;
   const float top = plot.max.y + 1.8f * grip;
-  f.painter.text_in({{plot.min.x, top}, {plot.max.x, top + line}}, px, kText, numbers_of(*stats, components));
-  f.painter.text_in({{plot.min.x, top + line}, {plot.max.x, top + 2 * line}}, px, kDim,
+  f.painter.text_in({{plot.min.x, top}, {plot.max.x, top + line}}, px, on_picture().text,
+                    numbers_of(*stats, components));
+  f.painter.text_in({{plot.min.x, top + line}, {plot.max.x, top + 2 * line}}, px, on_picture().dim,
                     fmt::format("black {:.4g}, white {:.4g}   {}", range.x, range.y, faults_of(*stats)));
 }
 
@@ -301,10 +302,10 @@ void draw_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {
-    f.painter.fill(box, kBacking, 3);
+    f.painter.fill(box, on_picture().backing, 3);
     const ImVec2 size = text_size(t.label, f.type.small);
     f.painter.text({(box.min.x + box.max.x - size.x) / 2, box.min.y + 1 + above_text(f.type.small)}, f.type.small,
-                   t.lit(f, v) ? kAccent : kDim, t.label);
+                   t.lit(f, v) ? on_picture().accent : on_picture().dim, t.label);
   });
   if (f.state.histogram) draw_histogram(f);
 }

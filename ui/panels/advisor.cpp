@@ -120,14 +120,15 @@ void draw_head(FrameContext& f, Painter& p, Box& room) {
   const AdvisorInput& in = advisor_input(f);
   const float body = line_height(f.type.body), gap = std::round(f.type.small * 0.4f);
   Shelf shelf{room, gap};
-  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, kAccent,
+  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, theme().accent,
             "Advisor: the cheapest set-up within a budget");
   const auto keyed = [&](const char* key, ImU32 colour, const std::string& words) {
     draw_keyed(p, shelf.below(body), f.type.body, key, colour, words);
   };
-  keyed("[ ]", kText, fmt::format("at most {:g} code{} of 255 off, as displayed", s.codes, s.codes > 1 ? "s" : ""));
-  keyed("B", kText, s.every_pixel ? "in every pixel" : "in 99.9 % of the pixels");
-  keyed("X", kText, fmt::format("cheapest by {}", cost_words(kAdviceCosts[s.cost].cost)));
+  keyed("[ ]", theme().text,
+        fmt::format("at most {:g} code{} of 255 off, as displayed", s.codes, s.codes > 1 ? "s" : ""));
+  keyed("B", theme().text, s.every_pixel ? "in every pixel" : "in 99.9 % of the pixels");
+  keyed("X", theme().text, fmt::format("cheapest by {}", cost_words(kAdviceCosts[s.cost].cost)));
   const std::string scope =
       fmt::format("Scene, camera and lights stay as they are; judged from this camera and {} seeded ones at {}.",
                   kAdviceCameras - 1, size_text(in.size));
@@ -135,14 +136,14 @@ void draw_head(FrameContext& f, Painter& p, Box& room) {
     const float height = std::min(text_size(text, f.type.small, room.width()).y, 2.6f * line_height(f.type.small));
     p.text_in(shelf.below(height), f.type.small, colour, text, true);
   };
-  wrapped(kDim, scope);
+  wrapped(theme().dim, scope);
   if (in.running) {
-    keyed("R", kAccent, fmt::format("looking: {} tried; R stops", in.tried));
-    wrapped(kText, "now: " + in.progress);
+    keyed("R", theme().accent, fmt::format("looking: {} tried; R stops", in.tried));
+    wrapped(theme().text, "now: " + in.progress);
   } else {
-    keyed("R", kAccent, in.advice ? "looks again" : "looks for it: a minute or two, and the window goes on");
+    keyed("R", theme().accent, in.advice ? "looks again" : "looks for it: a minute or two, and the window goes on");
   }
-  if (!in.note.empty()) wrapped(kAccent, in.note);
+  if (!in.note.empty()) wrapped(theme().accent, in.note);
   room = shelf.room;
 }
 
@@ -162,18 +163,19 @@ float setup_height(const FrameContext& f, const AdvisedSetup& a, float width) {
 void draw_setup(FrameContext& f, Painter& p, const Box& box, const char* title, const char* key,
                 const AdvisedSetup& a) {
   const AdviceCostRow& cost = row(advisor_input(f).cost);
-  p.fill(box, kSurface, 4);
+  p.fill(box, theme().surface, 4);
   const Box room = box.inset(std::round(f.type.small * 0.6f));
   std::string head = fmt::format("{}: {:.4g} {}", title, a.cost, cost.unit);
   if (cost.cost != AdviceCost::bytes) head += fmt::format(", {} bytes per pixel", a.bytes_per_pixel);
   const bool applied = is_applied(f, a);
   const std::string how = applied ? "✓ applied" : fmt::format("{} applies it", key);
   const float right = text_size(how, f.type.small).x, line = line_height(f.type.body);
-  p.text_in({room.min, {room.max.x - right - f.type.body, room.min.y + line}}, f.type.body, kAccent, head);
-  p.text({room.max.x - right, room.min.y + 1}, f.type.small, applied ? kText : kDim, how);
-  draw_paragraphs(p, {{room.min.x, room.min.y + line + 2}, room.max},
-                  {{setup_words(a.settings), kText, f.type.body}, {proof_words(a.proof), kDim, f.type.small}},
-                  f.type.small * 0.3f);
+  p.text_in({room.min, {room.max.x - right - f.type.body, room.min.y + line}}, f.type.body, theme().accent, head);
+  p.text({room.max.x - right, room.min.y + 1}, f.type.small, applied ? theme().text : theme().dim, how);
+  draw_paragraphs(
+      p, {{room.min.x, room.min.y + line + 2}, room.max},
+      {{setup_words(a.settings), theme().text, f.type.body}, {proof_words(a.proof), theme().dim, f.type.small}},
+      f.type.small * 0.3f);
 }
 
 // Whole sentences from the first chosen one on, as many as there is room for.
@@ -186,14 +188,14 @@ void draw_left_out(FrameContext& f, Painter& p, const Box& room, const std::vect
   for (; end < all.size(); ++end) {
     const float height = text_size(all[end], px, room.width() - px).y;
     if (y + height > room.max.y && end > s.first) break;
-    p.text({room.min.x, y}, px, kDim, "•");
-    p.text_in({{room.min.x + px, y}, {room.max.x, std::max(room.max.y, y + px * 3)}}, px, kText, all[end], true);
+    p.text({room.min.x, y}, px, theme().dim, "•");
+    p.text_in({{room.min.x + px, y}, {room.max.x, std::max(room.max.y, y + px * 3)}}, px, theme().text, all[end], true);
     y += height + 3;
   }
   s.shown = end - s.first;
   std::string title = "Left out, and why";
   if (s.shown < all.size()) title += fmt::format("  ({}–{} of {}; PgUp PgDn)", s.first + 1, end, all.size());
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.body, kAccent, title);
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.body, theme().accent, title);
 }
 
 void draw_answer(FrameContext& f, Painter& p, Box room) {
@@ -203,7 +205,7 @@ void draw_answer(FrameContext& f, Painter& p, Box room) {
   const bool other = in.budget.display_difference != budget_of(f.state.of<AdvisorState>()).display_difference ||
                      in.budget.share_over != budget_of(f.state.of<AdvisorState>()).share_over ||
                      in.cost != kAdviceCosts[f.state.of<AdvisorState>().cost].cost;
-  p.text_in({room.min, {room.max.x, room.min.y + line}}, f.type.small, other ? kAccent : kDim, asked);
+  p.text_in({room.min, {room.max.x, room.min.y + line}}, f.type.small, other ? theme().accent : theme().dim, asked);
   room.min.y += line + gap;
   const auto box = [&](float share, const AdvisedSetup& a) {
     const float height = std::min(share * room.height(), setup_height(f, a, room.width()));

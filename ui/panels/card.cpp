@@ -34,22 +34,22 @@ void draw_card(FrameContext& f, Painter& p, const Box& box) {
   const Box room = box.inset(std::round(16 * f.layout.unit));
   p.fill({box.min, {box.max.x, box.min.y + 4}}, pass_colour(v.written_by));
   const float head = line_height(f.type.large);
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent,
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, theme().accent,
             fmt::format("{}{}{}", v.key, *v.key ? "  " : "", v.label));
-  const std::vector<Field> fields{{"what", v.sentence, kText},
-                                  {"space", v.space, kText},
-                                  {"unit", v.unit, kText},
-                                  {"range", v.range, kText},
-                                  {"stored", stored_text(v.view, f.stored), kText},
+  const std::vector<Field> fields{{"what", v.sentence, theme().text},
+                                  {"space", v.space, theme().text},
+                                  {"unit", v.unit, theme().text},
+                                  {"range", v.range, theme().text},
+                                  {"stored", stored_text(v.view, f.stored), theme().text},
                                   {"written by", pass_name(v.written_by), pass_colour(v.written_by)},
-                                  {"read by", v.read_by, kText},
-                                  {"decode", v.decode, kText},
-                                  {"in sources", v.in_sources, kText},
-                                  {"mistake", v.mistake, kUnsound}};
+                                  {"read by", v.read_by, theme().text},
+                                  {"decode", v.decode, theme().text},
+                                  {"in sources", v.in_sources, theme().text},
+                                  {"mistake", v.mistake, theme().unsound}};
   const float foot = line_height(f.type.small);
   draw_fields(p, {{room.min.x, room.min.y + head * 1.2f}, {room.max.x, room.max.y - foot}}, fields,
               std::round(f.type.body * 1.3f));
-  p.text_in({{room.min.x, room.max.y - foot}, room.max}, f.type.small, kDim, "H or Esc closes");
+  p.text_in({{room.min.x, room.max.y - foot}, room.max}, f.type.small, theme().dim, "H or Esc closes");
 }
 
 void press_card(FrameContext& f, const KeyEvent&) {

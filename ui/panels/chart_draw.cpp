@@ -55,18 +55,19 @@ void draw_head(FrameContext& f, Painter& p, const Places& at) {
   const std::string progress = progress_text(in);
   const float right = at.head.max.x - text_size(progress, f.type.body).x;
   const bool other = !in.running.empty() && in.running != s.study;
-  p.text_in({at.head.min, {right - f.type.body, at.head.max.y}}, f.type.large, kAccent, "Speed against accuracy");
-  p.text({right, at.head.min.y + (at.head.height() - f.type.body) / 2}, f.type.body, kText, progress);
+  p.text_in({at.head.min, {right - f.type.body, at.head.max.y}}, f.type.large, theme().accent,
+            "Speed against accuracy");
+  p.text({right, at.head.min.y + (at.head.height() - f.type.body) / 2}, f.type.body, theme().text, progress);
   if (in.total > 0) {  // a bar below it: how far the study has come
     const float y = at.head.max.y + 1, share = static_cast<float>(in.done) / static_cast<float>(in.total);
-    p.fill({{at.head.min.x, y}, {at.head.max.x, y + 2}}, kRaised);
-    p.fill({{at.head.min.x, y}, {at.head.min.x + share * at.head.width(), y + 2}}, kAccent);
+    p.fill({{at.head.min.x, y}, {at.head.max.x, y + 2}}, theme().raised);
+    p.fill({{at.head.min.x, y}, {at.head.min.x + share * at.head.width(), y + 2}}, theme().accent);
   }
   std::string words = fmt::format("study “{}”", s.study);
   if (const std::string label = label_of_study(in, s.study); !label.empty()) words += fmt::format(": {}", label);
   words += fmt::format("; in this scene, at {}", size_text(in.size));
   if (other) words += fmt::format("   (“{}” is running)", in.running);
-  draw_keyed(p, at.study, f.type.body, "S", kText, words);
+  draw_keyed(p, at.study, f.type.body, "S", theme().text, words);
 }
 
 // ---- below the plot --------------------------------------------------------------------------------------------
@@ -98,7 +99,7 @@ void draw_two_columns(Painter& p, const Box& box, const std::vector<Field>& fiel
 
 void draw_words(FrameContext& f, Painter& p, const Box& box, const ChartView& v) {
   const ChartInput& in = chart_input(f);
-  p.fill(box, kSurface, 4);
+  p.fill(box, theme().surface, 4);
   const Box room = box.inset(std::round(f.type.small * 0.6f));
   std::optional<size_t> row = in.current;
   std::string title = "Now";
@@ -106,21 +107,22 @@ void draw_words(FrameContext& f, Painter& p, const Box& box, const ChartView& v)
   if (!row || *row >= in.rows.size()) {
     const char* text = in.measuring ? "The settings at hand are being measured."
                                     : "Point at a point, or choose one with the arrow keys, to read it here.";
-    p.text_in(room, f.type.body, kText, text, true);
+    p.text_in(room, f.type.body, theme().text, text, true);
     return;
   }
   title += ":  " + row_title(in, *row);
   const bool now = row == in.current;
   const float height = std::min(room.height() * 0.34f, text_size(title, f.type.body, room.width()).y);
-  p.text_in({room.min, {room.max.x, room.min.y + height}}, f.type.body, now ? kAccent : kText, title, true);
+  p.text_in({room.min, {room.max.x, room.min.y + height}}, f.type.body, now ? theme().accent : theme().text, title,
+            true);
   draw_two_columns(p, {{room.min.x, room.min.y + height + f.type.small * 0.3f}, room.max}, row_fields(in, v, *row),
                    f.type.body);
 }
 
 void draw_counts(FrameContext& f, Painter& p, const Box& box, const ChartView& v) {
   const ChartInput& in = chart_input(f);
-  std::vector<Paragraph> lines{{counts_text(in, v), kText, f.type.small}};
-  if (!in.note.empty()) lines.push_back({in.note, kAccent, f.type.small});
+  std::vector<Paragraph> lines{{counts_text(in, v), theme().text, f.type.small}};
+  if (!in.note.empty()) lines.push_back({in.note, theme().accent, f.type.small});
   draw_paragraphs(p, box, lines, 1);
 }
 
@@ -137,11 +139,11 @@ void draw_chart(FrameContext& f, Painter& p, const Box& box) {
   Plot plot(p, at.plot, v.x, v.y, f.type.small);
   use_chart_mouse(f, plot, v);
   draw_head(f, p, at);
-  draw_keyed(p, at.y_title, f.type.body, "Y", kText, fmt::format("↑ {}", axis_title(v.chart.y)));
+  draw_keyed(p, at.y_title, f.type.body, "Y", theme().text, fmt::format("↑ {}", axis_title(v.chart.y)));
   draw_chart_points(f, p, plot, v);
-  draw_keyed(p, at.x_title, f.type.body, "X", kText, fmt::format("→ {}", axis_title(v.chart.x)));
+  draw_keyed(p, at.x_title, f.type.body, "X", theme().text, fmt::format("→ {}", axis_title(v.chart.x)));
   draw_counts(f, p, at.counts, v);
-  draw_keyed(p, at.family, f.type.small, "G", kText, family);
+  draw_keyed(p, at.family, f.type.small, "G", theme().text, family);
   use_legend(f, v, draw_series_legend(p, at.legend, legend, f.type.small));
   draw_words(f, p, at.words, v);
   draw_panel_keys(f, p, at.keys, panel("chart").keys);

@@ -7,7 +7,6 @@
 namespace gbl::ui {
 namespace {
 
-constexpr ImU32 kDark = IM_COL32(10, 12, 15, 255);
 constexpr double kWheelStep = 1.25;
 
 float mark_radius(const Type& t) { return std::round(t.small * 0.45f); }
@@ -20,7 +19,7 @@ void draw_front(Plot& plot, const ChartView& v) {
   for (const size_t i : v.front) corners.push_back(value_of(v.point(i)));
   if (corners.empty()) return;
   corners.emplace_back(std::max(plot.x().scale.high, corners.back().x), corners.back().y);
-  plot.draw_steps(corners, kDim, 2);
+  plot.draw_steps(corners, theme().dim, 2);
 }
 
 void draw_points(Plot& plot, const ChartView& v, float radius) {
@@ -47,7 +46,7 @@ class Labels {
     const std::optional<Box> box = place(point, away, text_size(text, px_));
     if (!box) return;  // none is free: pointing at the mark tells its name
     labels_.push_back(*box);
-    painter_.fill(*box, kBacking, 2);
+    painter_.fill(*box, theme().backing, 2);
     painter_.text({box->min.x + 2, box->min.y + 1}, px_, colour, text);
   }
 
@@ -77,14 +76,14 @@ class Labels {
 
 // Round and thick, dark on both sides: no mark looks like it, whatever it stands on.
 void draw_ring(Painter& p, ImVec2 at, float radius, ImU32 colour, float thickness) {
-  p.list().AddCircle(at, radius, kDark, 32, thickness + 3);
+  p.list().AddCircle(at, radius, theme().edge, 32, thickness + 3);
   p.list().AddCircle(at, radius, colour, 32, thickness);
 }
 
 // Lines from a point to its values on the axes.
 void draw_cross_hair(Painter& p, const Plot& plot, ImVec2 at) {
-  p.list().AddLine({plot.frame().min.x, at.y}, at, kText, 1);
-  p.list().AddLine(at, {at.x, plot.frame().max.y}, kText, 1);
+  p.list().AddLine({plot.frame().min.x, at.y}, at, theme().text, 1);
+  p.list().AddLine(at, {at.x, plot.frame().max.y}, theme().text, 1);
 }
 
 void draw_selected(Painter& p, const Plot& plot, const ChartView& v, float radius) {
@@ -93,7 +92,7 @@ void draw_selected(Painter& p, const Plot& plot, const ChartView& v, float radiu
   const ImVec2 at = plot.at(value_of(point));
   draw_cross_hair(p, plot, at);
   draw_mark(p.list(), at, radius * 1.3f, v.look(*v.selected));
-  draw_ring(p, at, radius * 2.1f, kText, 2);
+  draw_ring(p, at, radius * 2.1f, theme().text, 2);
 }
 
 void draw_current(Painter& p, const Plot& plot, const ChartView& v, float radius, Labels& labels) {
@@ -101,9 +100,9 @@ void draw_current(Painter& p, const Plot& plot, const ChartView& v, float radius
   const ChartPoint& point = v.point(*v.current);
   const ImVec2 at = plot.at(value_of(point));
   draw_mark(p.list(), at, radius * 1.3f, v.look(*v.current));
-  draw_ring(p, at, radius * 2.8f, kAccent, 3.5f);
+  draw_ring(p, at, radius * 2.8f, theme().accent, 3.5f);
   labels.keep_free(at, radius * 2.6f);
-  labels.draw(at, radius * 2.8f + 4, kAccent, "now");
+  labels.draw(at, radius * 2.8f + 4, theme().accent, "now");
 }
 
 void draw_empty(FrameContext& f, Painter& p, const Box& frame) {
@@ -113,8 +112,8 @@ void draw_empty(FrameContext& f, Painter& p, const Box& frame) {
   const float width = frame.width() * 0.8f;
   const float px = p.fit(text, {width, frame.height() * 0.5f}, f.type.large, true);
   const ImVec2 size = text_size(text, px, width);
-  p.text({frame.min.x + (frame.width() - size.x) / 2, frame.min.y + (frame.height() - size.y) / 2}, px, kText, text,
-         width);
+  p.text({frame.min.x + (frame.width() - size.x) / 2, frame.min.y + (frame.height() - size.y) / 2}, px, theme().text,
+         text, width);
 }
 
 std::optional<size_t> nearest(const Plot& plot, const ChartView& v, ImVec2 mouse, float within) {
@@ -167,7 +166,8 @@ void draw_chart_points(FrameContext& f, Painter& p, Plot& plot, const ChartView&
   draw_selected(p, plot, v, radius);
   draw_current(p, plot, v, radius, labels);
   for (const size_t i : presets)
-    labels.draw(plot.at(value_of(v.point(i))), (i == v.current ? 2.8f * radius : radius) + 3, kText, v.point(i).label);
+    labels.draw(plot.at(value_of(v.point(i))), (i == v.current ? 2.8f * radius : radius) + 3, theme().text,
+                v.point(i).label);
 }
 
 // Point: read it. Click: apply it. Drag: move the plot. Wheel: zoom.

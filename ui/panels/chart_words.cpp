@@ -62,8 +62,8 @@ Field sound_field(const Settings& s) {
   std::set<std::string> pitfalls;  // two choices may share one
   for (const Unsound& u : unsound_choices(s)) pitfalls.insert(u.pitfall);
   const std::string text = fmt::format("{}", fmt::join(pitfalls, ", "));
-  if (text.empty()) return {"sound", "yes", kText};
-  return {"sound", fmt::format("{} unsound: {}", kUnsoundSign, text), kUnsound};
+  if (text.empty()) return {"sound", "yes", theme().text};
+  return {"sound", fmt::format("{} unsound: {}", kUnsoundSign, text), theme().unsound};
 }
 
 }  // namespace
@@ -82,11 +82,11 @@ std::string row_title(const ChartInput& in, size_t index) {
 
 std::vector<Field> row_fields(const ChartInput& in, const ChartView& v, size_t index) {
   const StudyRow& row = in.rows[index];
-  if (row.failed) return {{"failed", *row.failed, kUnsound}};
-  std::vector<Field> fields{{"error", error_text(row, v.chart.y), kText},
-                            {"cost", value_of(row, v.chart.x), kText},
-                            {"stored", bytes_text(row), kText},
-                            {"pairs", pairs_text(row), kText}};
+  if (row.failed) return {{"failed", *row.failed, theme().unsound}};
+  std::vector<Field> fields{{"error", error_text(row, v.chart.y), theme().text},
+                            {"cost", value_of(row, v.chart.x), theme().text},
+                            {"stored", bytes_text(row), theme().text},
+                            {"pairs", pairs_text(row), theme().text}};
   if (index < in.settings.size()) fields.push_back(sound_field(in.settings[index]));
   return fields;
 }

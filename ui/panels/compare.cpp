@@ -61,22 +61,22 @@ void draw_difference_table(FrameContext& f, Painter& p, Shelf& shelf, const Sett
     }
     const Box line = shelf.below(line_height(px));
     const float third = line.width() / 3;
-    p.text_in({line.min, {line.min.x + third - 4, line.max.y}}, px, kDim, o.label);
-    p.text_in({{line.min.x + third, line.min.y}, {line.min.x + 2 * third - 4, line.max.y}}, px, kText,
+    p.text_in({line.min, {line.min.x + third - 4, line.max.y}}, px, theme().dim, o.label);
+    p.text_in({{line.min.x + third, line.min.y}, {line.min.x + 2 * third - 4, line.max.y}}, px, theme().text,
               value_text(o, a));
-    p.text_in({{line.min.x + 2 * third, line.min.y}, line.max}, px, kText, value_text(o, b));
+    p.text_in({{line.min.x + 2 * third, line.min.y}, line.max}, px, theme().text, value_text(o, b));
   }
-  if (left_out > 0) p.text_in(shelf.below(line_height(px)), px, kDim, fmt::format("and {} more", left_out));
+  if (left_out > 0) p.text_in(shelf.below(line_height(px)), px, theme().dim, fmt::format("and {} more", left_out));
 }
 
 void draw_compare(FrameContext& f, Painter& p, const Box& box) {
   const Comparison& c = f.state.comparison;
   Shelf shelf{box.inset(std::round(12 * f.layout.unit)), std::round(3 * f.layout.unit)};
   const float px = f.type.body;
-  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, kAccent, "A and B");
+  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, theme().accent, "A and B");
   const Box keys = shelf.above(10 * line_height(f.type.small));
   p.text_in(
-      shelf.below(4 * line_height(px)), px, kText,
+      shelf.below(4 * line_height(px)), px, theme().text,
       "Tab flips, / goes through wipe, side by side and difference. Both keep one camera, one time and one view. A "
       "picture dropped here becomes B. Ctrl+B or Esc closes.",
       true);
@@ -85,11 +85,11 @@ void draw_compare(FrameContext& f, Painter& p, const Box& box) {
     const Settings& b = c.b_drawn ? f.settings : *c.other;
     const Box head = shelf.below(line_height(f.type.small));
     const float third = head.width() / 3;
-    p.text({head.min.x + third, head.min.y}, f.type.small, kAccent, c.b_drawn ? "A" : "A, drawn");
-    p.text({head.min.x + 2 * third, head.min.y}, f.type.small, kAccent, c.b_drawn ? "B, drawn" : "B");
+    p.text({head.min.x + third, head.min.y}, f.type.small, theme().accent, c.b_drawn ? "A" : "A, drawn");
+    p.text({head.min.x + 2 * third, head.min.y}, f.type.small, theme().accent, c.b_drawn ? "B, drawn" : "B");
     draw_difference_table(f, p, shelf, a, b);
   } else {
-    p.text_in(shelf.below(2 * line_height(px)), px, kDim,
+    p.text_in(shelf.below(2 * line_height(px)), px, theme().dim,
               c.what == BesideA::truth     ? "B is the truth."
               : c.what == BesideA::picture ? "B is " + c.file
                                            : "There is no B yet.",

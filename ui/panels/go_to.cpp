@@ -34,7 +34,7 @@ void draw_go_to(FrameContext& f, Painter& p, const Box& box) {
   GoToState& s = f.state.of<GoToState>();
   const float px = f.type.body, line = line_height(px);
   const Box room = box.inset(std::round(px * 0.6f));
-  p.text_in({room.min, {room.max.x, room.min.y + line}}, px, kText, "Hold the pixel at x, y");
+  p.text_in({room.min, {room.max.x, room.min.y + line}}, px, theme().text, "Hold the pixel at x, y");
   const float top = room.min.y + std::round(1.3f * line);
   const Box field{{room.min.x, top}, {room.max.x, top + std::round(1.6f * line)}};
   if (draw_text_field(f, kField, field, px, s.text.data(), s.text.size())) {
@@ -44,7 +44,7 @@ void draw_go_to(FrameContext& f, Painter& p, const Box& box) {
       f.state.notice = fmt::format("'{}' is not a pixel; write two whole numbers, x, y", s.text.data());
   }
   const glm::ivec2 last = f.frame_size() - 1;
-  p.text_in({{room.min.x, room.max.y - line_height(f.type.small)}, room.max}, f.type.small, kDim,
+  p.text_in({{room.min.x, room.max.y - line_height(f.type.small)}, room.max}, f.type.small, theme().dim,
             fmt::format("0 … {}, 0 … {} from the top left; Enter", last.x, last.y));
 }
 

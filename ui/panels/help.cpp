@@ -49,7 +49,7 @@ Box help_box(const FrameContext& f) { return {f.layout.canvas.min, {f.layout.can
 void draw_help(FrameContext& f, Painter& p, const Box& box) {
   const Box room = box.inset(std::round(24 * f.layout.unit));
   const float head = line_height(f.type.large) * 1.4f;
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent,
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, theme().accent,
             "Keys and mouse   (F1 or Esc closes; Shift with a letter goes backwards)");
   std::vector<KeyRow> rows = key_rows();
   for (KeyRow& r : mouse_rows()) rows.push_back(std::move(r));
@@ -66,7 +66,7 @@ void draw_help(FrameContext& f, Painter& p, const Box& box) {
     for (; i < ends[column]; ++i) {
       float x = at.x;
       for (const std::string& cap : key_caps(rows[i].key)) x += p.key_cap({x, at.y}, c.px, cap) + 3;
-      p.text({at.x + c.keys + c.px, at.y + above_text(c.px)}, c.px, kText, rows[i].help, c.text);
+      p.text({at.x + c.keys + c.px, at.y + above_text(c.px)}, c.px, theme().text, rows[i].help, c.text);
       at.y += c.height(rows[i]);
     }
   }

@@ -72,7 +72,7 @@ void draw_chooser(FrameContext& f, Painter& p, const Box& box) {
   ChooserState& s = f.state.of<ChooserState>();
   const float px = f.type.large, row = std::round(px * 1.9f), pad = px * 0.6f;
   ImVec2 at{box.min.x + pad, box.min.y + pad / 2};
-  p.text_in({at, {box.max.x - pad, at.y + row}}, px, kAccent, "Which lesson?");
+  p.text_in({at, {box.max.x - pad, at.y + row}}, px, theme().accent, "Which lesson?");
   at.y += row;
   std::optional<size_t> clicked;
   for (size_t i = 0; i < s.lessons.size(); ++i, at.y += row) {
@@ -80,13 +80,13 @@ void draw_chooser(FrameContext& f, Painter& p, const Box& box) {
     const Box line{{box.min.x + pad / 2, at.y}, {box.max.x - pad / 2, at.y + row - 2}};
     if (hit_area(lesson.id.c_str(), line)) clicked = i;
     if (ImGui::IsItemHovered()) s.chosen = i;
-    if (i == s.chosen) p.outline(line, kAccent, 2);
+    if (i == s.chosen) p.outline(line, theme().accent, 2);
     const float top = at.y + (row - line_height(px)) / 2;
     const float cap = p.key_cap({at.x, top}, px, std::to_string(i + 1)) + pad;
-    p.text_in({{at.x + cap, top}, {line.max.x - pad, line.max.y}}, px, kText,
+    p.text_in({{at.x + cap, top}, {line.max.x - pad, line.max.y}}, px, theme().text,
               fmt::format("{}   ({} steps)", lesson.title, lesson.steps.size()));
   }
-  p.text_in({{at.x, at.y + pad / 2}, {box.max.x - pad, at.y + row}}, f.type.small, kDim,
+  p.text_in({{at.x, at.y + pad / 2}, {box.max.x - pad, at.y + row}}, f.type.small, theme().dim,
             "Up, Down and Enter, or its number; Esc closes");
   if (clicked) choose(f, *clicked);
 }

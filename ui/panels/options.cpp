@@ -70,12 +70,12 @@ void draw_row(FrameContext& f, Painter& p, const Box& row, const std::vector<con
   const float top = row.min.y + (row.height() - line_height(z.px)) / 2;
   p.key_cap({row.min.x, top}, z.px, key);
   p.text_in({{row.min.x + z.key, top + above_text(z.px)}, {row.min.x + z.key + z.label - 4, row.max.y + z.px}}, z.px,
-            kText, o.label);
+            theme().text, o.label);
   const Box widget{{row.min.x + z.key + z.label, row.min.y}, row.max};
   if (o.kind != Kind::choice) return draw_field(f, o, widget, z.px);
   const bool unsound = !sound_mark(o, f.settings).empty();
   const float sign = text_size(kUnsoundSign, z.px).x * 1.2f;
-  if (unsound) p.text({widget.max.x - sign, top}, z.px, kUnsound, kUnsoundSign);
+  if (unsound) p.text({widget.max.x - sign, top}, z.px, theme().unsound, kUnsoundSign);
   draw_choice(f, o, {widget.min, {widget.max.x - sign, widget.max.y}}, z.px);
 }
 
@@ -88,11 +88,11 @@ void draw_hints(FrameContext& f, Painter& p, const Box& room) {
   const std::string hint =
       fmt::format("A letter cycles (Shift: backwards) or opens the field; Enter applies. O: page {} of {}. Esc closes.",
                   f.state.of<OptionsState>().page + 1, option_pages());
-  draw_paragraphs(
-      p, room,
-      {{unsound.empty() ? "All choices are sound." : unsound, unsound.empty() ? kDim : kUnsound, f.type.small},
-       {hint, kDim, f.type.small}},
-      4);
+  draw_paragraphs(p, room,
+                  {{unsound.empty() ? "All choices are sound." : unsound,
+                    unsound.empty() ? theme().dim : theme().unsound, f.type.small},
+                   {hint, theme().dim, f.type.small}},
+                  4);
 }
 
 const Page& page_now(const FrameContext& f) { return pages()[static_cast<size_t>(f.state.of<OptionsState>().page)]; }
@@ -131,7 +131,7 @@ void draw_options(FrameContext& f, Painter& p, const Box& box) {
   const Page& page = page_now(f);
   const Box room = box.inset(std::round(12 * f.layout.unit));
   const float head = line_height(f.type.large), hints = 5 * line_height(f.type.small);
-  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, kAccent, page.title);
+  p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, theme().accent, page.title);
   const float row = std::min(f.type.body * 2, (room.height() - head - hints) / static_cast<float>(page.options.size()));
   const float px = std::max(kSmallestPx, std::floor(std::min(f.type.body, row * 0.62f)));
   const Rows z{px, row, 2 * key_cap_width("[ ]", px) - px, room.width() * 0.36f};

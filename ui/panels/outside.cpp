@@ -109,7 +109,7 @@ void use_mouse(FrameContext& f, const Box& picture) {
 void draw_outside(FrameContext& f, Painter& p, const Box& box) {
   Shelf shelf{box.inset(std::round(14 * f.layout.unit)), std::round(5 * f.layout.unit)};
   const float px = f.type.body, small = f.type.small;
-  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, kAccent,
+  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, theme().accent,
             fmt::format("From outside: {}", kTargets[static_cast<int>(f.state.of<OutsideState>().target)]));
   const Box keys = shelf.above(2 * line_height(small));
   const Box words = shelf.above(3 * line_height(px));
@@ -121,9 +121,9 @@ void draw_outside(FrameContext& f, Painter& p, const Box& box) {
   if (const ViewImage& image = f.input.outside; image.texture)
     p.list().AddImage(reinterpret_cast<ImTextureID>(image.texture), picture.min, picture.max, {0, 1}, {1, 0});
   else
-    p.text_in(picture, px, kText, "drawing", true);
-  p.outline(picture, kLine, 1);
-  p.text_in(words, px, kText,
+    p.text_in(picture, px, theme().text, "drawing", true);
+  p.outline(picture, theme().line, 1);
+  p.text_in(words, px, theme().text,
             in_words(f) +
                 " Yellow: the camera and what it sees. Blue: its near plane. The mesh is as the method draws it; "
                 "faces that it culls or cuts are left out, their wire stays.",

@@ -71,16 +71,23 @@ void draw_row(FrameContext& f, Painter& p, const Box& line, size_t i, View v, fl
   const float half = line.height() / 2, cap = key_cap_width("M", px) + px * 0.6f, slider = line.width() * 0.3f;
   p.key_cap({line.min.x, line.min.y + 2}, px, std::string{static_cast<char>('A' + i)});
   const Box name{{line.min.x + cap, line.min.y}, {line.max.x - slider - px, line.min.y + half}};
-  p.text_in(name, px, missing ? kDim : now ? kAccent : kText, row(v).label);
+  p.text_in(name, px, missing ? theme().dim : now ? theme().accent : theme().text, row(v).label);
   const std::string words = missing ? why_missing(v, f.stored)
                             : now   ? marked_in_words(v, f.input.stats[static_cast<size_t>(v)])
                                     : "";
-  p.text_in({{name.min.x, line.min.y + half}, {line.max.x, line.max.y}}, f.type.small, kDim, words);
+  p.text_in({{name.min.x, line.min.y + half}, {line.max.x, line.max.y}}, f.type.small, theme().dim, words);
   const Box bar{{line.max.x - slider, line.min.y + half * 0.25f}, {line.max.x, line.min.y + half * 0.85f}};
-  p.fill(bar, kRaised, 2);
-  if (now) p.fill({bar.min, {bar.min.x + bar.width() * static_cast<float>(now->opacity), bar.max.y}}, kAccent, 2);
+  p.fill(bar, theme().raised, 2);
+  const float filled_to = bar.min.x + bar.width() * static_cast<float>(now ? now->opacity : 0);
+  if (now) p.fill({bar.min, {filled_to, bar.max.y}}, theme().accent, 2);
   const std::string percent = now ? fmt::format("{:.0f} %", 100 * now->opacity) : "off";
-  p.text({bar.min.x + px * 0.4f, bar.min.y - 1}, f.type.small, now ? kBackground : kDim, percent);
+  const ImVec2 words_at{bar.min.x + px * 0.4f, bar.min.y - 1};
+  p.text(words_at, f.type.small, theme().text, percent);
+  if (now) {  // the part of it that lies on the filled part
+    p.list().PushClipRect(bar.min, {filled_to, bar.max.y}, true);
+    p.text(words_at, f.type.small, theme().background, percent);
+    p.list().PopClipRect();
+  }
   if (missing) return;
   if (hit_area(fmt::format("lay.{}", row(v).id).c_str(), {line.min, {bar.min.x - px * 0.5f, line.max.y}})) toggle(f, v);
   hit_area(fmt::format("strength.{}", row(v).id).c_str(), bar);
@@ -91,7 +98,7 @@ void draw_row(FrameContext& f, Painter& p, const Box& line, size_t i, View v, fl
 
 void draw_overlays(FrameContext& f, Painter& p, const Box& box) {
   Shelf shelf{box.inset(std::round(12 * f.layout.unit)), 0};
-  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, kAccent, "Laid over the main view");
+  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, theme().accent, "Laid over the main view");
   const Box hints = shelf.above(4 * line_height(f.type.small));
   const std::vector<View> all = offered();
   const float height = std::min(f.type.body * 3, shelf.room.height() / static_cast<float>(all.size()));
@@ -100,7 +107,7 @@ void draw_overlays(FrameContext& f, Painter& p, const Box& box) {
   draw_paragraphs(p, hints,
                   {{"A letter lays it on or takes it away, Shift and the letter its next strength; End takes "
                     "all away. V: wires of the light volumes. , . pick the light. Ctrl+V or Esc closes.",
-                    kDim, f.type.small}},
+                    theme().dim, f.type.small}},
                   2);
 }
 

@@ -114,7 +114,7 @@ void draw_panels(FrameContext& f) {
     if (panel.update) panel.update(f);
     const Box box = box_of(f, panel);
     if (box.width() <= 0) continue;
-    begin_overlay(panel.id, box, panel.place == Place::over ? kSurface : kBackground);
+    begin_overlay(panel.id, box, panel.place == Place::over ? theme().surface : theme().background);
     Painter painter(*ImGui::GetWindowDrawList(), f.state.cut_texts);
     panel.draw(f, painter, box);
     end_overlay();

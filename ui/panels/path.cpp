@@ -99,8 +99,8 @@ std::string end_of(std::string_view path, float px, float width) {
 // A line that acts when it is pressed, before the field that is left by the same press closes the panel.
 bool draw_line(FrameContext& f, Painter& p, const Box& line, const std::string& path, ImU32 colour) {
   const bool hovered = ImGui::IsMouseHoveringRect(line.min, line.max, false);
-  if (hovered) p.fill(line, kRaised, 3);
-  p.text({line.min.x + f.type.body * 0.4f, line.min.y}, f.type.body, hovered ? kText : colour,
+  if (hovered) p.fill(line, theme().raised, 3);
+  p.text({line.min.x + f.type.body * 0.4f, line.min.y}, f.type.body, hovered ? theme().text : colour,
          end_of(path, f.type.body, line.width() - f.type.body));
   return hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
@@ -111,7 +111,7 @@ void draw_matches(FrameContext& f, Painter& p, Shelf& shelf, float line) {
   size_t shown = 0;
   for (; shown < std::min(in.matches.size(), kMostMatches) && shelf.room.height() > 2 * line; ++shown) {
     const std::string& name = in.matches[shown];
-    if (!draw_line(f, p, shelf.below(line), name, kText)) continue;
+    if (!draw_line(f, p, shelf.below(line), name, theme().text)) continue;
     if (name.back() == '/')
       put_text(f, folder + name);
     else
@@ -121,15 +121,16 @@ void draw_matches(FrameContext& f, Painter& p, Shelf& shelf, float line) {
   if (words.empty() && in.matches.empty()) words = "nothing that can be opened begins like this";
   if (shown < in.matches.size()) words = fmt::format("and {} more", in.matches.size() - shown);
   if (words.empty()) return;
-  p.text_in(shelf.below(line_height(f.type.small)), f.type.small, in.note.empty() ? kDim : kAccent, words);
+  p.text_in(shelf.below(line_height(f.type.small)), f.type.small, in.note.empty() ? theme().dim : theme().accent,
+            words);
 }
 
 void draw_recent(FrameContext& f, Painter& p, Shelf& shelf, float line) {
   const std::vector<std::string>& recent = path_input(f).recent;
   if (recent.empty() || shelf.room.height() < 3 * line) return;
-  p.text_in(shelf.below(line), f.type.body, kAccent, "Opened lately");
+  p.text_in(shelf.below(line), f.type.body, theme().accent, "Opened lately");
   for (const std::string& file : recent)
-    if (shelf.room.height() > line && draw_line(f, p, shelf.below(line), file, kDim)) open_file(f, file);
+    if (shelf.room.height() > line && draw_line(f, p, shelf.below(line), file, theme().dim)) open_file(f, file);
 }
 
 void draw_path(FrameContext& f, Painter& p, const Box& box) {
@@ -138,13 +139,13 @@ void draw_path(FrameContext& f, Painter& p, const Box& box) {
   complete(f);
   walk_recent(f);
   Shelf shelf{box.inset(std::round(f.type.body * 0.8f)), std::round(f.type.body * 0.25f)};
-  p.text_in(shelf.below(line), f.type.body, kAccent, "Open a model, settings, a picture with settings or a rig");
+  p.text_in(shelf.below(line), f.type.body, theme().accent, "Open a model, settings, a picture with settings or a rig");
   const std::string before = s.text.data();
   if (draw_text_field(f, kField, shelf.below(std::round(1.6f * line)), f.type.body, s.text.data(), s.text.size(),
                       &s.put))
     enter(f);
   if (before != s.text.data() && f.state.field_key.empty()) s.recent = 0;
-  p.text_in(shelf.below(line_height(f.type.small)), f.type.small, kDim,
+  p.text_in(shelf.below(line_height(f.type.small)), f.type.small, theme().dim,
             "Tab completes · ↑ ↓ opened lately · Enter opens · Esc closes");
   draw_matches(f, p, shelf, line);
   draw_recent(f, p, shelf, line);

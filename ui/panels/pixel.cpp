@@ -47,33 +47,34 @@ class Table {
 
 void heading(Painter& p, Shelf& shelf, float px, std::string_view text) {
   if (shelf.room.height() < 2 * line_height(px)) return;
-  p.text_in(shelf.below(line_height(px)), px, kAccent, text);
+  p.text_in(shelf.below(line_height(px)), px, theme().accent, text);
 }
 
 void draw_stored(Painter& p, Shelf& shelf, float px, const PixelProbe& probe) {
   heading(p, shelf, px, "stored, hexadecimal");
   Table table(p, shelf, px, {0.24f, 0.1f, 0.28f, 0.38f});
   for (const StoredTexel& t : probe.stored)
-    table.row({{t.attachment.name, kText},
-               {row(t.attachment.format).label, kDim},
-               {hex(t), kText},
-               {t.attachment.contents, kDim}});
+    table.row({{t.attachment.name, theme().text},
+               {row(t.attachment.format).label, theme().dim},
+               {hex(t), theme().text},
+               {t.attachment.contents, theme().dim}});
 }
 
 void draw_lines(Painter& p, Shelf& shelf, float px, const std::vector<AccountLine>& lines, int first_off) {
   Table table(p, shelf, px, {0.2f, 0.28f, 0.28f, 0.09f, 0.15f});
-  table.row({{"", kDim}, {"drawn", kDim}, {"truth", kDim}, {"error", kDim}, {"", kDim}});
+  table.row(
+      {{"", theme().dim}, {"drawn", theme().dim}, {"truth", theme().dim}, {"error", theme().dim}, {"", theme().dim}});
   for (size_t i = 0; i < lines.size(); ++i) {
     const AccountLine& l = lines[i];
     const bool here = static_cast<int>(i) == first_off;
     const std::string drawn = l.drawn.empty() ? "not stored" : numbers(l.drawn), truth = numbers(l.truth);
     const std::string error = l.drawn.empty() ? "" : fmt::format("{:.3g}", l.error);
     const std::string note = here ? fmt::format("{} goes wrong here", kUnsoundSign) : l.unit;
-    table.row({{l.what, kText},
-               {drawn, here ? kUnsound : kText},
-               {truth, kText},
-               {error, here ? kUnsound : kDim},
-               {note, here ? kUnsound : kDim}});
+    table.row({{l.what, theme().text},
+               {drawn, here ? theme().unsound : theme().text},
+               {truth, theme().text},
+               {error, here ? theme().unsound : theme().dim},
+               {note, here ? theme().unsound : theme().dim}});
   }
 }
 
@@ -84,13 +85,13 @@ void draw_lights(Painter& p, Shelf& shelf, float px, const PixelAccount& a, bool
                                          a.lights.size() == 1 ? " reaches" : "s reach"));
   if (a.lights.empty()) return;
   Table table(p, shelf, px, {0.08f, 0.13f, 0.1f, 0.13f, 0.1f, 0.1f, 0.36f});
-  table.row({{"light", kDim},
-             {"distance", kDim},
-             {"d/r", kDim},
-             {"arriving", kDim},
-             {"N.L", kDim},
-             {"share", kDim},
-             {"shaded by this method", kDim}});
+  table.row({{"light", theme().dim},
+             {"distance", theme().dim},
+             {"d/r", theme().dim},
+             {"arriving", theme().dim},
+             {"N.L", theme().dim},
+             {"share", theme().dim},
+             {"shaded by this method", theme().dim}});
   state.first = std::min(state.first, a.lights.size() - 1);
   state.shown = 0;
   // Forward shading shades surfaces, hidden ones too: no count of it says more.
@@ -100,13 +101,13 @@ void draw_lights(Painter& p, Shelf& shelf, float px, const PixelAccount& a, bool
     const std::string shaded = !l.shaded       ? (i < kCountedLights && in_pixels ? "…" : "not counted")
                                : wrong.empty() ? fmt::format("{}", *l.shaded)
                                                : fmt::format("{} {} {}", *l.shaded, kUnsoundSign, wrong);
-    if (!table.row({{fmt::format("{}", l.index), kText},
-                    {l.distance < kEndless ? fmt::format("{:.5g}", l.distance) : "-", kText},
-                    {l.range < kEndless ? fmt::format("{:.3f}", l.distance / l.range) : "-", kText},
-                    {fmt::format("{:.3g}", l.arriving), kText},
-                    {fmt::format("{:.3f}", l.n_dot_l), kText},
-                    {fmt::format("{:.1f} %", 100 * l.share), kText},
-                    {shaded, wrong.empty() ? kText : kUnsound}}))
+    if (!table.row({{fmt::format("{}", l.index), theme().text},
+                    {l.distance < kEndless ? fmt::format("{:.5g}", l.distance) : "-", theme().text},
+                    {l.range < kEndless ? fmt::format("{:.3f}", l.distance / l.range) : "-", theme().text},
+                    {fmt::format("{:.3g}", l.arriving), theme().text},
+                    {fmt::format("{:.3f}", l.n_dot_l), theme().text},
+                    {fmt::format("{:.1f} %", 100 * l.share), theme().text},
+                    {shaded, wrong.empty() ? theme().text : theme().unsound}}))
       break;
     ++state.shown;
   }
@@ -116,16 +117,16 @@ void draw_pixel(FrameContext& f, Painter& p, const Box& box) {
   Shelf shelf{box.inset(std::round(14 * f.layout.unit)), std::round(2 * f.layout.unit)};
   const float px = f.type.body, small = f.type.small;
   const float table = shelf.room.height() > kUsualLines * line_height(px) ? px : small;
-  p.text_in(shelf.above(line_height(small)), small, kDim,
+  p.text_in(shelf.above(line_height(small)), small, theme().dim,
             "Ctrl+P or Esc closes   arrows move the pixel   PgUp PgDn: more lights   Ctrl+G goes to a pixel");
   const std::optional<PixelProbe>& probe = f.input.probe;
   if (!probe || !f.state.held_at) {
-    p.text_in(shelf.below(3 * line_height(px)), px, kText, "Click on a picture: the pixel is held and explained here.",
-              true);
+    p.text_in(shelf.below(3 * line_height(px)), px, theme().text,
+              "Click on a picture: the pixel is held and explained here.", true);
     return;
   }
   const std::string_view name = object_name(*probe, f.input.scene);
-  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, kAccent,
+  p.text_in(shelf.below(line_height(f.type.large)), f.type.large, theme().accent,
             fmt::format("pixel {}, {}   {}", probe->pixel.x, probe->pixel.y,
                         !name.empty()      ? name
                         : probe->surface() ? "a surface"
@@ -134,14 +135,14 @@ void draw_pixel(FrameContext& f, Painter& p, const Box& box) {
   shelf.below(small * 0.4f);
   const PixelAccount* a = f.input.account;
   if (!a || a->pixel != probe->pixel) {
-    p.text_in(shelf.below(line_height(px)), px, kAccent,
+    p.text_in(shelf.below(line_height(px)), px, theme().accent,
               f.input.truth_progress < 1
                   ? fmt::format("working out the reference: {:.0f} %", 100 * f.input.truth_progress)
                   : "working out the reference");
     return;
   }
   if (const std::string note = other_surface_note(*a); !note.empty())
-    p.text_in(shelf.below(line_height(small)), small, kAccent, note);
+    p.text_in(shelf.below(line_height(small)), small, theme().accent, note);
   heading(p, shelf, table, "against the reference in double precision");
   draw_lines(p, shelf, table, a->stored, -1);
   shelf.below(small * 0.4f);

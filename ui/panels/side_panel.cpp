@@ -46,7 +46,7 @@ void draw_panel_keys(FrameContext& f, Painter& p, const Box& box, std::span<cons
   if (hints.back().box.max.y > box.max.y + 1) f.state.cut_texts.emplace_back("the panel's keys");
   for (const Hint& h : hints) {
     const float cap = p.key_cap(h.box.min, px, h.cap);
-    p.text({h.box.min.x + cap + px * 0.4f, h.box.min.y + above_text(px)}, px, kDim, h.row->words);
+    p.text({h.box.min.x + cap + px * 0.4f, h.box.min.y + above_text(px)}, px, theme().dim, h.row->words);
     if (h.cap.size() > 1) continue;  // several keys: not one button
     if (hit_area(h.row->words, h.box)) h.row->run(f, {h.cap});
   }

@@ -64,14 +64,14 @@ void draw_head(FrameContext& f, Painter& p, const Places& at) {
   const bool fails = out.starts_with(kUnsoundSign);
   const float px = p.fit(progress, {at.head.width() * 0.7f, at.head.height()}, f.type.body, false);
   const float right = at.head.max.x - text_size(progress, px).x;
-  p.text_in({at.head.min, {right - f.type.body, at.head.max.y}}, f.type.large, kAccent, "Stability");
-  p.text({right, at.head.min.y + (at.head.height() - px) / 2}, px, fails ? kUnsound : kText, progress);
+  p.text_in({at.head.min, {right - f.type.body, at.head.max.y}}, f.type.large, theme().accent, "Stability");
+  p.text({right, at.head.min.y + (at.head.height() - px) / 2}, px, fails ? theme().unsound : theme().text, progress);
   if (in.total > 0) {
     const float y = at.head.max.y + 1, share = static_cast<float>(in.done) / static_cast<float>(in.total);
-    p.fill({{at.head.min.x, y}, {at.head.max.x, y + 2}}, kRaised);
-    p.fill({{at.head.min.x, y}, {at.head.min.x + share * at.head.width(), y + 2}}, kAccent);
+    p.fill({{at.head.min.x, y}, {at.head.max.x, y + 2}}, theme().raised);
+    p.fill({{at.head.min.x, y}, {at.head.min.x + share * at.head.width(), y + 2}}, theme().accent);
   }
-  draw_keyed(p, at.sweep, f.type.body, "S", kText,
+  draw_keyed(p, at.sweep, f.type.body, "S", theme().text,
              fmt::format("{}/{} “{}”: {}", f.state.of<StabilityState>().sweep + 1, sweeps().size(), s.id, s.label));
 }
 
@@ -91,7 +91,7 @@ std::vector<LegendRow> legend_rows(const FrameContext& f) {
 void use_legend(FrameContext& f, Painter& p, const std::vector<Box>& places) {
   for (size_t i = 0; i < places.size(); ++i) {
     if (i == f.state.of<StabilityState>().curve)
-      p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, kAccent, 1);
+      p.outline({{places[i].min.x - 3, places[i].min.y - 1}, places[i].max}, theme().accent, 1);
     ImGui::PushID(static_cast<int>(i));
     if (hit_area("curve", places[i])) f.state.of<StabilityState>().curve = i;
     ImGui::PopID();
@@ -101,18 +101,18 @@ void use_legend(FrameContext& f, Painter& p, const std::vector<Box>& places) {
 // A statement's word and its colour.
 std::pair<std::string, ImU32> mark_of(StatedLine::Mark m) {
   switch (m) {
-    case StatedLine::Mark::holds: return {"✓ holds", kText};
-    case StatedLine::Mark::fails: return {fmt::format("{} fails", kUnsoundSign), kUnsound};
-    case StatedLine::Mark::not_drawn: return {"– absent", kDim};
+    case StatedLine::Mark::holds: return {"✓ holds", theme().text};
+    case StatedLine::Mark::fails: return {fmt::format("{} fails", kUnsoundSign), theme().unsound};
+    case StatedLine::Mark::not_drawn: return {"– absent", theme().dim};
     case StatedLine::Mark::open: break;
   }
-  return {"? stated", kDim};
+  return {"? stated", theme().dim};
 }
 
 // As many as there is room for, whole ones; of the others their number.
 void draw_stated(FrameContext& f, Painter& p, const Box& box) {
   const std::vector<StatedLine> lines = stated_lines(f);
-  p.fill(box, kSurface, 4);
+  p.fill(box, theme().surface, 4);
   const Box room = box.inset(std::round(f.type.small * 0.6f));
   const SweepResult* result = stability_input(f).result;
   if (!result) return;
@@ -137,7 +137,7 @@ void draw_stated(FrameContext& f, Painter& p, const Box& box) {
     if (y + height(l) + (last ? 0 : line_height(px)) > room.max.y && !selected) break;
     const auto [word, colour] = mark_of(l.mark);
     p.text({room.min.x, y}, px, colour, word);
-    const ImU32 ink = l.mark == StatedLine::Mark::fails ? kUnsound : selected ? kAccent : colour;
+    const ImU32 ink = l.mark == StatedLine::Mark::fails ? theme().unsound : selected ? theme().accent : colour;
     y += p.text_in({{room.min.x + left, y}, room.max}, px, ink, text_of_line(l), true).y + 2;
   }
   if (drawn == lines.size()) return;
@@ -145,7 +145,8 @@ void draw_stated(FrameContext& f, Painter& p, const Box& box) {
   for (size_t i = drawn; i < lines.size(); ++i) failing += lines[i].mark == StatedLine::Mark::fails;
   const std::string more = fmt::format("{} more{}; ↑ ↓ bring a curve's to the top", lines.size() - drawn,
                                        failing > 0 ? fmt::format(", {} of them FAIL", failing) : "");
-  p.text_in({{room.min.x + left, y}, {room.max.x, room.max.y + px}}, px, failing > 0 ? kUnsound : kDim, more);
+  p.text_in({{room.min.x + left, y}, {room.max.x, room.max.y + px}}, px, failing > 0 ? theme().unsound : theme().dim,
+            more);
 }
 
 }  // namespace
@@ -158,21 +159,21 @@ void draw_stability(FrameContext& f, Painter& p, const Box& box) {
   const Places at = lay_out(room, f.type, legend, sweep.help, !note.empty());
   const SweepMetric& metric = sweep_metric(sweep.metric);
   draw_head(f, p, at);
-  p.text_in(at.help, f.type.small, kDim, sweep.help, true);
+  p.text_in(at.help, f.type.small, theme().dim, sweep.help, true);
   if (has_families(sweep)) {
-    p.text_in(at.y_title, f.type.body, kText,
+    p.text_in(at.y_title, f.type.body, theme().text,
               "random configurations wrong (any pixel over 1/255), and of their lit pixels the share lost");
     draw_sweep_families(f, p, {at.plot.min, at.x_title.max});
   } else {
-    p.text_in(at.y_title, f.type.body, kText, metric_title(metric));
+    p.text_in(at.y_title, f.type.body, theme().text, metric_title(metric));
     const SweepAxes axes = sweep_axes(f);
     Plot plot(p, at.plot, axes.x, axes.y, f.type.small);
     draw_sweep_curves(f, p, plot);
-    p.text_in(at.x_title, f.type.body, kText, fmt::format("→ {}", titled(sweep.parameter, sweep.unit)));
+    p.text_in(at.x_title, f.type.body, theme().text, fmt::format("→ {}", titled(sweep.parameter, sweep.unit)));
     use_legend(f, p, draw_series_legend(p, at.legend, legend, f.type.small));
   }
   draw_stated(f, p, at.stated);
-  if (!note.empty()) p.text_in(at.note, f.type.small, kAccent, note);
+  if (!note.empty()) p.text_in(at.note, f.type.small, theme().accent, note);
   draw_panel_keys(f, p, at.keys, panel("stability").keys);
 }
 

@@ -10,8 +10,7 @@
 namespace gbl::ui {
 namespace {
 
-constexpr ImU32 kWrongBar = IM_COL32(122, 56, 62, 255);  // kText on it has a contrast of 7:1
-constexpr double kDust = 1e-13;                          // of the largest value: float arithmetic's own, drawn as 0 is
+constexpr double kDust = 1e-13;  // of the largest value: float arithmetic's own, drawn as 0 is
 
 double drawn_value(double value, const SweepAxes& axes) {
   if (!std::isfinite(value)) return axes.y.high;
@@ -35,7 +34,8 @@ void draw_empty(FrameContext& f, Painter& p, const Box& frame) {
       stability_input(f).running ? "Measuring: the first point is about to appear …" : "R measures this sweep.";
   const float px = p.fit(text, {frame.width() * 0.8f, frame.height()}, f.type.large, false);
   const ImVec2 size = text_size(text, px);
-  p.text({frame.min.x + (frame.width() - size.x) / 2, frame.min.y + (frame.height() - size.y) / 2}, px, kText, text);
+  p.text({frame.min.x + (frame.width() - size.x) / 2, frame.min.y + (frame.height() - size.y) / 2}, px, theme().text,
+         text);
 }
 
 }  // namespace
@@ -86,11 +86,12 @@ void draw_sweep_curves(FrameContext& f, Painter& p, Plot& plot) {
   for (size_t i = 0; i < n; ++i)
     if (i != s.curve && curve_on(s, i)) draw(i, line_width(i, n), radius);
   if (s.curve >= n || !curve_on(s, s.curve)) return;
-  plot.draw_line(points_of(result->curves[s.curve], axes), kBackground, 11);  // a dark edge: it stands out
+  plot.draw_line(points_of(result->curves[s.curve], axes), theme().background, 11);  // a dark edge: it stands out
   draw(s.curve, 7, radius * 1.5f);
   if (!axes.not_finite) return;
   const char* text = "at the upper edge: not finite";
-  p.text({plot.frame().max.x - text_size(text, f.type.small).x - 4, plot.frame().min.y + 2}, f.type.small, kText, text);
+  p.text({plot.frame().max.x - text_size(text, f.type.small).x - 4, plot.frame().min.y + 2}, f.type.small, theme().text,
+         text);
 }
 
 // A line per variant: of each family how many configurations had a wrong pixel, and how much light was lost.
@@ -116,25 +117,26 @@ void draw_sweep_families(FrameContext& f, Painter& p, const Box& box) {
   for (int family = 0; family < kFamilies; ++family) {
     size_t most = 0;  // the variants of a configuration come one after the other
     for (const CurveResult& c : result->curves) most = std::max(most, family_shares(c, family).configurations);
-    words_in(cell(0, family), kDim, fmt::format("family {}: of {}", "ABC"[family], most));
+    words_in(cell(0, family), theme().dim, fmt::format("family {}: of {}", "ABC"[family], most));
   }
   for (size_t i = 0; i < result->curves.size(); ++i) {
     const CurveResult& c = result->curves[i];
     const Box first = cell(i + 1, 0);
     const bool chosen = i == f.state.of<StabilityState>().curve;
-    p.text_in({{box.min.x, middle(first)}, {first.min.x - 4, first.max.y + px}}, px, chosen ? kAccent : kText, c.curve);
+    p.text_in({{box.min.x, middle(first)}, {first.min.x - 4, first.max.y + px}}, px,
+              chosen ? theme().accent : theme().text, c.curve);
     if (!c.not_drawn.empty()) {
-      words_in({first.min, cell(i + 1, kFamilies - 1).max}, kDim, "not drawn here");
+      words_in({first.min, cell(i + 1, kFamilies - 1).max}, theme().dim, "not drawn here");
       continue;
     }
     for (int family = 0; family < kFamilies; ++family) {
       const Box b = cell(i + 1, family);
       const FamilyShares s = family_shares(c, family);
-      p.fill(b, kSurface, 2);
+      p.fill(b, theme().surface, 2);
       if (s.configurations == 0) continue;
       const auto share = static_cast<float>(s.wrong);
-      if (share > 0) p.fill({b.min, {b.min.x + share * b.width(), b.max.y}}, kWrongBar, 2);
-      words_in(b, kText, fmt::format("{:.0f} % wrong, {:.1f} % lost", 100 * s.wrong, 100 * s.lost));
+      if (share > 0) p.fill({b.min, {b.min.x + share * b.width(), b.max.y}}, theme().wrong, 2);
+      words_in(b, theme().text, fmt::format("{:.0f} % wrong, {:.1f} % lost", 100 * s.wrong, 100 * s.lost));
     }
   }
 }
