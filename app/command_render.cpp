@@ -88,6 +88,18 @@ bool overlaid(const Arguments& a, const Lab& lab, View v) {
   return !needs_truth(v) && (!a.only.empty() || lab.is_main(v));
 }
 
+// The view's own numbers: 0 is black and 65535 white; both stand in the file, in the view's unit.
+void write_numbers16(const fs::path& path, Lab& lab, View v, PngText texts) {
+  const glm::dvec2 range = shown_range(v, lab.drawn(), lab.scene().bounds, lab.stats_of(v));
+  std::vector<glm::vec3> rgb;
+  for (const glm::vec4& n : lab.numbers_of(v)) {
+    const glm::vec3 of_range((glm::dvec3(n) - range.x) / (range.y - range.x));
+    rgb.push_back(row(v).values.components == 1 ? glm::vec3(of_range.x) : of_range);
+  }
+  texts.push_back({"gbufferlab-range", fmt::format("{} {} {}", range.x, range.y, row(v).unit)});
+  write_png16(path, lab.drawn().size, rgb, texts);
+}
+
 ui::Sheet sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
   ui::Sheet sheet;
   sheet.title = "G-Buffer Lab";
@@ -134,6 +146,7 @@ ExitCode run_render(const Arguments& a) {
   const std::string command = command_of(a);
   const auto texts = [&](const std::string& options) { return picture_texts(command + options, s, lab.machine()); };
   Writer writer(folder);
+  size_t numbers16 = 0;
   for (const View v : shown) {
     if (needs_truth(v))
       draw_against_truth(lab, v);
@@ -141,6 +154,10 @@ ExitCode run_render(const Arguments& a) {
       lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
     const std::string only = fmt::format(" --only {}", row(v).id);
     writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v), texts(only));
+    if (a.png16 && !needs_truth(v)) {
+      write_numbers16(folder / fmt::format("{}.16.png", row(v).id), lab, v, texts(only + " --png16"));
+      ++numbers16;
+    }
     if (!a.raw || needs_truth(v)) continue;
     lab.draw_view(v, {.raw = true});
     writer.write(fmt::format("{}.raw.png", row(v).id), lab.image_of(v), texts(only + " --raw"));
@@ -157,8 +174,8 @@ ExitCode run_render(const Arguments& a) {
   if (a.json)
     fmt::print("{}\n", report_json(lab).dump(2));
   else
-    fmt::print("{}\n{} pictures{} and settings.json in {}\n", ui::made_in_words(s, lab.report()), files.size(),
-               a.exr ? ", layers.exr" : "", folder.string());
+    fmt::print("{}\n{} pictures{} and settings.json in {}\n", ui::made_in_words(s, lab.report()),
+               files.size() + numbers16, a.exr ? ", layers.exr" : "", folder.string());
   return ExitCode::done;
 }
 

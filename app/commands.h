@@ -34,7 +34,7 @@ struct Arguments {
 
   std::optional<std::filesystem::path> output;  // -o DIR
   std::string only;                             // views, comma-separated
-  bool raw = false, sheet = false, exr = false;
+  bool raw = false, sheet = false, exr = false, png16 = false;
   std::optional<int> pixel_x, pixel_y;       // of `probe`, origin top left
   std::optional<double> budget, budget_max;  // of `advise`: codes of 255 as displayed
   std::string cost = "time";                 // of `advise`

@@ -33,7 +33,7 @@ void write_layers(const std::filesystem::path& path, Lab& lab, const std::vector
   channels.push_back(channel("Z", depth, 0));
   for (const View v : views_shown) {
     const std::vector<glm::vec4> numbers = lab.numbers_of(v);
-    const bool whole = counted(v) || row(v).numbered;
+    const bool whole = (counted(v) || row(v).numbered) && row(v).values.black >= 0;  // a difference has a sign
     for (int k = 0; k < row(v).values.components; ++k)
       channels.push_back(channel(fmt::format("{}.{}", row(v).id, channel_name(v, k)), numbers, k, whole));
   }

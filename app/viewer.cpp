@@ -222,6 +222,30 @@ void Viewer::ask_numbers(const ui::Requests& requests, bool all) {
   lab_.ask_numbers(numbers_asked_->first, numbers_asked_->second);
 }
 
+// Each is drawn in its look and copied; the view's own picture is drawn again when it is looked at next.
+void Viewer::draw_locked(const ui::Requests& requests, bool all) {
+  const std::vector<LookOf>& wanted = requests.locked;
+  bool same = locked_.size() == wanted.size() && !all;
+  for (size_t i = 0; i < wanted.size() && same; ++i) same = locked_[i].look == wanted[i];
+  if (same) return;
+  locked_.clear();
+  const Settings::View own = lab_.drawn().view;
+  for (const LookOf& l : wanted) {
+    const View view = view_by_id(l.view).view;
+    if (!why_missing(view, lab_.drawn()).empty()) {
+      locked_.push_back({l, {}});
+      continue;
+    }
+    Settings::View looked = own;
+    set_look(looked.looks, l.view, l.look);
+    lab_.look_at(looked);
+    lab_.draw_view(view);
+    locked_.push_back({l, lab_.copy_of(view)});
+    fresh_[static_cast<size_t>(view)] = false;
+  }
+  lab_.look_at(own);
+}
+
 // Drawn again when the frame is another one or the camera outside has moved.
 void Viewer::draw_outside(const ui::Requests& requests) {
   if (!requests.outside) return outside_.reset();
@@ -260,6 +284,7 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (!lab_.has_drawn()) return;
   try {
     main_drawn_ = false;
+    draw_locked(requests, changed && ready);
     draw_views(s, requests, changed && ready);
     comparer_.update(requests.compare, view_by_id(s.view.main).view, main_drawn_);
     draw_outside(requests);
@@ -301,6 +326,7 @@ ui::Input Viewer::input(double seconds) const {
   in.probe = probe_;
   in.account = account_ ? &*account_ : nullptr;
   in.compare = comparer_.input();
+  for (const Locked& l : locked_) in.locked.push_back({l.picture.texture.id(), l.picture.texture.size});
   if (outside_) in.outside = {outside_->picture.texture.id(), outside_->picture.texture.size};
   in.numbers = numbers_ ? &*numbers_ : nullptr;
   for (const auto& job : jobs_) job->fill(in);

@@ -57,6 +57,7 @@ class Viewer {
   void take_stats(const ui::Requests&);
   void ask_stats(View);
   void work_out_account(const ui::Requests&);
+  void draw_locked(const ui::Requests&, bool all);
   void draw_outside(const ui::Requests&);
   void ask_numbers(const ui::Requests&, bool all);
   void draw_views(const Settings&, const ui::Requests&, bool all);
@@ -71,6 +72,11 @@ class Viewer {
     Canvas picture;
   };
   std::optional<Outside> outside_;
+  struct Locked {
+    LookOf look;
+    Canvas picture;
+  };
+  std::vector<Locked> locked_;
   std::vector<std::unique_ptr<BackgroundJob>> jobs_;
   SceneLoader loader_;
   void begin(FileOpening);

@@ -160,11 +160,13 @@ size_t pages_of(const Settings& stored) {
   return 1 + (further_views(stored).size() + kViewsOfAPage - 1) / kViewsOfAPage;
 }
 
-std::vector<View> page_of(const Settings& stored, size_t page) {
+std::vector<LookOf> page_of(const Settings& stored, size_t page) {
   const std::vector<View> all = further_views(stored);
   if (page == 0 || (page - 1) * kViewsOfAPage >= all.size()) return {};
-  const auto first = all.begin() + static_cast<std::ptrdiff_t>((page - 1) * kViewsOfAPage);
-  return {first, first + std::min<std::ptrdiff_t>(kViewsOfAPage, all.end() - first)};
+  std::vector<LookOf> out;
+  for (size_t i = (page - 1) * kViewsOfAPage; i < std::min(all.size(), page * kViewsOfAPage); ++i)
+    out.push_back({row(all[i]).id, {}});
+  return out;
 }
 
 void open_lesson(State& state, Settings& settings, Lesson lesson) {

@@ -90,6 +90,8 @@ void fit_range(FrameContext& f, const KeyEvent&) {
   say(f, {fit ? "Black and white at the ends of what is seen." : "Black and white as the view has them.", ""});
 }
 
+void lock_view(FrameContext& f, const KeyEvent&) { lock_panel(f); }
+
 void toggle_histogram(FrameContext& f, const KeyEvent&) { f.state.histogram = !f.state.histogram; }
 
 void next_preset(FrameContext& f, const KeyEvent& e) {

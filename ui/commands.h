@@ -15,6 +15,7 @@ void show_whole_picture(FrameContext&, const KeyEvent&);
 void show_pixels(FrameContext&, const KeyEvent&);
 void step_channels(FrameContext&, const KeyEvent&);
 void step_map(FrameContext&, const KeyEvent&);
+void lock_view(FrameContext&, const KeyEvent&);
 void fit_range(FrameContext&, const KeyEvent&);
 void toggle_histogram(FrameContext&, const KeyEvent&);
 void show_all(FrameContext&, const KeyEvent&);

@@ -30,6 +30,8 @@ constexpr KeyCommand kCommands[] = {
     {"Ctrl+L", "look.channels", "the large view: all channels, red, green, blue", step_channels},
     {"Ctrl+M", "look.map", "the large view: the next colour map", step_map},
     {"Ctrl+R", "look.fit", "the large view: black and white at the ends of what is seen; again: its own", fit_range},
+    {"Ctrl+K", "panel.lock", "lock the large view as it looks now into the last panel; again: no locked one",
+     lock_view},
     {"Ctrl+H", "look.histogram", "the large view: its histogram, with handles for black and white", toggle_histogram},
     {"0", "view.all", "all views at once; again: the next page of them", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},
@@ -170,6 +172,7 @@ std::vector<KeyRow> mouse_rows() {
       {"double", "mouse.enlarge", "a double click: the view alone; again, or 0: all views"},
       {"line", "mouse.wipe", "drag the line between A and B; a double click on it puts it in the middle"},
       {"drag", "mouse.look", "look around in the large picture; where it is zoomed, move it"},
+      {"title", "mouse.swap", "drag a panel's title onto another panel: they change places"},
       {"middle", "mouse.pan", "drag with the middle button: move the picture"},
       {"wheel", "mouse.zoom", "zoom where the mouse is, in all panels; Shift: in this one alone"},
       {"right", "mouse.solo", "on R, G or B: that channel alone; again: all"}};

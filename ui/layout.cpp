@@ -41,15 +41,25 @@ Layout make_layout(const LayoutInput& in) {
     l.main = in.chosen;
     place({in.chosen, 0, 0, in.beside ? 800.0f : in.hidden ? 1600.0f : kColumnX});
   } else {
-    const size_t n = in.page.empty() ? std::size(kMosaic) : std::min(in.page.size(), std::size(kMosaic));
-    for (size_t i = 0; i < n; ++i) {
+    const std::vector<LookOf> page = in.page.empty() ? usual_panels() : in.page;
+    l.main = view_by_id(page[0].view).view;
+    for (size_t i = 0; i < std::min(page.size(), std::size(kMosaic)); ++i) {
       Cell c = kMosaic[i];
-      if (!in.page.empty()) c.view = in.page[i];
-      place(c);
+      c.view = view_by_id(page[i].view).view;
+      const bool shown = l.panels[static_cast<size_t>(c.view)].has_value();
+      if (i > 0 && (!page[i].look.plain() || shown))
+        l.locked.push_back({page[i], i, Box{at(c.x, c.y), at(c.x + c.width, c.y + c.width * 9 / 16)}});
+      else
+        place(c);
     }
-    if (!in.page.empty()) l.main = in.page[0];
   }
   return l;
+}
+
+std::vector<LookOf> usual_panels() {
+  std::vector<LookOf> out;
+  for (const Cell& c : kMosaic) out.push_back({row(c.view).id, {}});
+  return out;
 }
 
 }  // namespace gbl::ui

@@ -13,21 +13,30 @@ namespace gbl::ui {
 struct LayoutInput {
   ImVec2 display;
   View chosen = View::final;
-  bool large = false;      // the chosen view alone
-  std::vector<View> page;  // of the mosaic, the first one large; empty: the first page
-  bool hidden = false;     // pictures only
-  bool beside = false;     // a panel stands on the right half: the large picture stays in the left one
+  bool large = false;        // the chosen view alone
+  std::vector<LookOf> page;  // of the mosaic, the first one large; empty: the usual first page
+  bool hidden = false;       // pictures only
+  bool beside = false;       // a panel stands on the right half: the large picture stays in the left one
   float status_height = 25;
+};
+
+// A panel that keeps a look of its own: a second one of a view that is shown elsewhere, too.
+struct LockedPanel {
+  LookOf look;
+  size_t place;  // in the mosaic
+  Box box;
 };
 
 struct Layout {
   float unit = 1;                                     // screen pixels per pixel of the 1600×900 design
   std::array<std::optional<Box>, kViewCount> panels;  // by View; empty = not on screen
+  std::vector<LockedPanel> locked;
   View main = View::final;
   Box canvas, strip, column, status;
   const Box& main_box() const { return *panels[static_cast<size_t>(main)]; }
 };
 
 Layout make_layout(const LayoutInput&);
+std::vector<LookOf> usual_panels();  // of the first page, by place
 
 }  // namespace gbl::ui

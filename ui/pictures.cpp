@@ -45,9 +45,9 @@ void drag(FrameContext& f, View v, const Box& picture, bool look_around) {
 }
 
 // The table of the mouse (keys.cpp) in the order of its rows.
-void use_mouse(FrameContext& f, View v, const Box& panel, const Box& picture) {
+void use_mouse(FrameContext& f, View v, const char* id, const Box& panel, const Box& picture) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool clicked = hit_area(row(v).id, panel);
+  const bool clicked = hit_area(id, panel);
   const bool dragged = io.MouseDragMaxDistanceSqr[0] > 9;
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   if (ImGui::IsItemFocused() && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) f.state.focused = v;
@@ -137,6 +137,22 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   if (pixel && f.requests.visible[static_cast<size_t>(v)]) mark_pixel(f, v, picture_box(own, image.size), *pixel);
 }
 
+// As it was locked, in its own range and colours.
+void draw_locked(FrameContext& f, size_t i) {
+  const LockedPanel& l = f.layout.locked[i];
+  const View v = view_by_id(l.look.view).view;
+  const ViewImage image = i < f.input.locked.size() ? f.input.locked[i] : ViewImage{};
+  Settings looked = f.stored;
+  set_look(looked.view.looks, l.look.view, l.look.look);
+  PanelLook look;
+  look.px = f.type.small;
+  look.zoom = zoom_of(f, v);
+  const std::string name = fmt::format("{}, locked", row(v).label);
+  look.name = name;
+  draw_view_panel(f.painter, l.box, v, image, looked, legend_now(v, looked, f.input), look);
+  f.requests.locked.push_back(l.look);
+}
+
 // A panel above is opaque: what is wholly below one need not be drawn at all.
 template <class Do>
 void for_each_panel(FrameContext& f, Do what) {
@@ -154,11 +170,20 @@ void draw_pictures(FrameContext& f) {
   f.state.focused.reset();
   use_view_tools(f);
   use_wipe(f);
+  use_titles(f);
+  for (size_t i = 0; i < f.layout.locked.size(); ++i) {
+    const LockedPanel& l = f.layout.locked[i];
+    const View v = view_by_id(l.look.view).view;
+    if (!covered(f, l.box))
+      use_mouse(f, v, fmt::format("locked.{}", l.place).c_str(), l.box, picture_box(l.box, f.frame_size()));
+  }
   for_each_panel(f, [&](View v, const Box& panel) {
     const Box own = v == f.layout.main ? box_of_a(f, panel) : panel;
-    use_mouse(f, v, own, picture_box(own, f.input.images[static_cast<size_t>(v)].size));
+    use_mouse(f, v, row(v).id, own, picture_box(own, f.input.images[static_cast<size_t>(v)].size));
   });
   for_each_panel(f, [&](View v, const Box& panel) { draw_panel(f, v, panel); });
+  for (size_t i = 0; i < f.layout.locked.size(); ++i) draw_locked(f, i);
+  draw_carried(f);
   const Box& main = f.layout.main_box();
   f.requests.picture_size = {static_cast<int>(main.width()), static_cast<int>(main.height())};
   if (!covered(f, main) && !f.state.hidden) {

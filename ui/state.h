@@ -86,6 +86,7 @@ struct State {
   std::optional<glm::ivec2> hovered_pixel;  // of the frame before
   std::optional<glm::dvec2> held_at;        // 0..1 across the frame: a pixel held stays when the frame's size changes
   std::array<std::optional<Zoom>, kViewCount> own_zoom;  // of panels that are not linked to the others
+  std::optional<size_t> carried;                         // the place of the panel whose title is being dragged
   std::optional<View> panning;                           // by the middle button
   bool saving_panel = false;                             // in this frame: without what is no part of the picture
   bool light = false;                                    // the theme
@@ -129,7 +130,7 @@ bool replace_settings(FrameContext&, const Settings&);     // by whole ones; the
 void choose_preset(FrameContext&, int index);
 void show_view(FrameContext&, View);  // alone; again: all views
 // The views of a page of the mosaic; empty: the first page, whose places are fixed.
-std::vector<View> page_of(const Settings& stored, size_t page);
+std::vector<LookOf> page_of(const Settings& stored, size_t page);
 size_t pages_of(const Settings& stored);
 
 void open_lesson(State&, Settings&, Lesson);     // at its first step
@@ -151,6 +152,9 @@ void draw_pixel_grid(FrameContext&, View, const Box& picture);  // and the numbe
 
 // ---- what is always there, one function each; the others are rows of ui/panel.h --------------------
 void draw_pictures(FrameContext&);
+void use_titles(FrameContext&);    // before what lies below them
+void draw_carried(FrameContext&);  // the title that is being dragged
+void lock_panel(FrameContext&);    // the main view as it looks now, in the mosaic's last place; again: not any more
 void draw_error_numbers(FrameContext&, const Box& panel);  // on the error or reference view, if it is the large one
 void draw_strip(FrameContext&);
 void draw_lesson(FrameContext&, const Box&);

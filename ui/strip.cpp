@@ -87,7 +87,9 @@ void draw_caption(FrameContext& f, const Box& room) {
   f.painter.fill({room.min, {room.min.x + bar, room.max.y}}, s.pitfall.empty() ? theme().accent : theme().unsound);
   std::vector<Paragraph> paragraphs{{s.text, theme().text, f.type.large}};
   if (!s.pitfall.empty())
-    paragraphs.push_back({fmt::format("{} UNSOUND: {}.", kUnsoundSign, s.pitfall), theme().unsound, f.type.large});
+    paragraphs.push_back(
+        {fmt::format("{} UNSOUND: {}. X takes the sound choice, and goes back.", kUnsoundSign, s.pitfall),
+         theme().unsound, f.type.large});
   draw_paragraphs(f.painter, {{room.min.x + 3 * bar, room.min.y}, room.max}, paragraphs, 2);
 }
 

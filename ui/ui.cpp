@@ -16,7 +16,7 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Setting
   return {.display = ImGui::GetIO().DisplaySize,
           .chosen = view_by_id(settings.view.main).view,
           .large = s.large,
-          .page = page_of(stored, s.page),
+          .page = s.page == 0 ? settings.view.panels : page_of(stored, s.page),
           .hidden = s.hidden,
           .beside = panel_beside(s),
           .status_height = status_height(type)};

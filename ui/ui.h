@@ -53,6 +53,7 @@ struct Input {
   std::optional<PixelProbe> probe;                   // of the pixel asked for
   const PixelAccount* account = nullptr;             // of the held pixel, once it is worked out
   const PixelNumbers* numbers = nullptr;             // those asked for, once they are there
+  std::vector<ViewImage> locked;                     // in the order in which they were asked for
   ViewImage outside;                                 // as the outside camera's panel asked for it
   const CompareInput* compare = nullptr;             // null: nothing is compared
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
@@ -101,6 +102,7 @@ struct Requests {
   std::optional<glm::ivec2> probe;                    // pixel under the cursor
   std::optional<std::pair<View, PixelGrid>> numbers;  // to print on the pixels
   bool account = false;                               // why the probed pixel looks as it does
+  std::vector<LookOf> locked;                         // views with looks of their own
   std::optional<OutsideRequest> outside;
   std::optional<CompareRequest> compare;   // with the main view
   bool magnified = false;                  // pixels are shown as squares

@@ -133,6 +133,18 @@ Looks checked_looks(const Option& o, const OptionValue& v) {
   return out;
 }
 
+std::vector<LookOf> checked_panels(const Option& o, const OptionValue& v) {
+  constexpr size_t kPlaces = 8;
+  const auto* list = std::get_if<OptionList>(&v);
+  if (!list || list->size() > kPlaces) bad_value(o, v, "an array of 8 panels at most");
+  std::vector<LookOf> out;
+  for (const OptionValue& part : *list) {
+    out.push_back(parse_look(checked_text(o, part), o.path));
+    out.back().view = known_view(o, out.back().view);
+  }
+  return out;
+}
+
 Overlays checked_overlays(const Option& o, const OptionValue& v) {
   const auto* list = std::get_if<OptionList>(&v);
   if (!list) bad_value(o, v, "an array of overlays");
@@ -247,6 +259,7 @@ const Option kOptions[] = {
   {.path = "view.centre", .group = Group::view, .label = "Centre", .help = "of what a panel shows, 0..1 across the picture from its top left", .kind = Kind::vector, .min = 0, .max = 1, .get = GET(OptionList({s.view.centre.x, s.view.centre.y})), .set = SET(s.view.centre = checked_pair(o, v))},
   {.path = "view.looks", .group = Group::view, .label = "Looks", .help = "how views turn numbers into colours: VIEW:BLACK..WHITE or :fit, :CHANNELS, :MAP, :srgb or :linear", .kind = Kind::set, .get = GET(list_of(s.view.looks)), .set = SET(s.view.looks = checked_looks(o, v))},
   {.path = "view.overlays", .group = Group::view, .label = "Overlays", .help = "views laid over the main view, each as VIEW or VIEW:OPACITY, from the lowest to the topmost", .kind = Kind::set, .get = GET(list_of(s.view.overlays)), .set = SET(s.view.overlays = checked_overlays(o, v))},
+  {.path = "view.panels", .group = Group::view, .label = "Panels", .help = "views of the first page by place, the first one large; with a look as in view.looks a panel is locked: it keeps that look", .kind = Kind::set, .get = GET(list_of(s.view.panels)), .set = SET(s.view.panels = checked_panels(o, v))},
 };
 // clang-format on
 #undef TEXT

@@ -120,6 +120,7 @@ struct Settings {
     glm::dvec2 centre{0.5, 0.5};  // of what a panel shows, 0..1 across the picture, origin top left
     Looks looks;                  // of views that are not shown as they show themselves
     Overlays overlays;            // views laid over the one that is looked at
+    std::vector<LookOf> panels;   // the views of the first page by place; empty: the usual ones. With a look: locked
     bool operator==(const View&) const = default;
   } view;
 

@@ -22,6 +22,8 @@ Image image_from_gl_rows(glm::ivec2 size, std::vector<uint8_t> rgba);
 // Error(unfinished) if the folder cannot be written. Alpha is dropped: pictures are opaque.
 using PngText = std::vector<std::pair<std::string, std::string>>;
 void write_png(const std::filesystem::path&, const Image&, const PngText& = {});
+// The same with 16 bits a channel: rgb of 0..1, cut to it, rows top to bottom.
+void write_png16(const std::filesystem::path&, glm::ivec2 size, const std::vector<glm::vec3>& rgb, const PngText& = {});
 Image read_png(const std::filesystem::path&);                              // Error(bad_input)
 std::string read_png_text(const std::filesystem::path&, const char* key);  // "" if there is none
 

@@ -227,5 +227,17 @@ TEST(GlRows, AreFlippedForOddAndEvenHeights) {
   }
 }
 
+TEST(Png16, KeepsSixteenBitsOfAChannel) {
+  const TemporaryFolder folder("png16");
+  const std::vector<glm::vec3> rgb = {{0, 0.5f, 1}, {-1, 2, std::nanf("")}, {0.25f, 1.0f / 65535, 256.0f / 65535}};
+  write_png16(folder / "a.png", {3, 1}, rgb, {{"gbufferlab-range", "0 1"}});
+  const std::string bytes = bytes_of(folder / "a.png");
+  EXPECT_EQ(bytes[24], 16) << "the header's bit depth";
+  EXPECT_EQ(read_png_text(folder / "a.png", "gbufferlab-range"), "0 1");
+  const Image high = read_png(folder / "a.png");  // the reader keeps the high byte
+  const std::vector<uint8_t> expected = {0, 128, 255, 255, 0, 255, 0, 255, 64, 0, 1, 255};
+  EXPECT_EQ(high.rgba, expected);
+}
+
 }  // namespace
 }  // namespace gbl

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fmt/format.h>
 
+#include "ui/closed_sets.h"
 #include "ui/key_spec.h"
 
 namespace gbl::ui {
@@ -72,6 +73,7 @@ void draw_row(FrameContext& f, Painter& p, const Box& row, const std::vector<con
   p.text_in({{row.min.x + z.key, top + above_text(z.px)}, {row.min.x + z.key + z.label - 4, row.max.y + z.px}}, z.px,
             theme().text, o.label);
   const Box widget{{row.min.x + z.key + z.label, row.min.y}, row.max};
+  if (!closed_items(o).empty()) return draw_closed(f, o, widget, z.px);
   if (o.kind != Kind::choice) return draw_field(f, o, widget, z.px);
   const bool unsound = !sound_mark(o, f.settings).empty();
   const float sign = text_size(kUnsoundSign, z.px).x * 1.2f;
@@ -114,6 +116,8 @@ bool press_letter(FrameContext& f, const KeyEvent& e) {
     if (e.repeat) return true;
     if (o->kind == Kind::choice)
       step_option(f, *o, e.shift ? -1 : 1);
+    else if (!closed_items(*o).empty())
+      step_closed(f, *o, e.shift ? -1 : 1);
     else
       f.state.type_into(o->path);
     return true;
