@@ -113,7 +113,7 @@ class Loop {
   }
 
   void drop(const std::vector<std::string>& files) {
-    if (files.size() > 1) return viewer_.say(fmt::format("{} files at once: drop one", files.size()));
+    if (files.size() > 1) return viewer_.fail(fmt::format("{} files at once: drop one", files.size()));
     if (!files.empty()) viewer_.drop(files.front());
   }
 
@@ -133,7 +133,7 @@ class Loop {
   }
 
   void say_trouble() {
-    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.say(trouble);
+    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.fail(trouble);
   }
 
   void step() {
@@ -159,7 +159,7 @@ class Loop {
     renamed.scene = settings_.scene;
     if (settings_.scene != before.scene && settings_ == renamed)
       viewer_.open_scene(std::exchange(settings_.scene, before.scene));
-    if (requests.figure) viewer_.say(save_figure(*requests.figure, size, screen_, settings_, lab_.machine()));
+    if (requests.figure) save(*requests.figure, size);
     if (requests.copy_command) copy_command();
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
@@ -168,6 +168,14 @@ class Loop {
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
     if (keeper_.due(input.seconds)) keeper_.keep(session(), input.seconds), say_trouble();
+  }
+
+  void save(const ui::Figure& figure, glm::ivec2 size) {
+    try {
+      viewer_.say(save_figure(figure, size, screen_, settings_, lab_.machine()));
+    } catch (const Error& e) {
+      viewer_.fail(e.what());
+    }
   }
 
   void copy_command() {

@@ -16,6 +16,7 @@ struct LayoutInput {
   bool large = false;      // the chosen view alone
   std::vector<View> page;  // of the mosaic, the first one large; empty: the first page
   bool hidden = false;     // pictures only
+  bool present = false;    // the large picture fills the window, and the strip goes from edge to edge
   bool beside = false;     // a panel stands on the right half: the large picture stays in the left one
   float status_height = 25;
 };
@@ -25,6 +26,7 @@ struct Layout {
   std::array<std::optional<Box>, kViewCount> panels;  // by View; empty = not on screen
   View main = View::final;
   Box canvas, strip, column, status;
+  float foot = 0;  // of the large picture, below its badge and legends: a caption lies on it
   const Box& main_box() const { return *panels[static_cast<size_t>(main)]; }
 };
 

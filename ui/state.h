@@ -42,12 +42,13 @@ struct LessonRun {
 
 struct State {
   State(Settings loaded, bool presenting)
-      : initial(std::move(loaded)), present(presenting), large(initial.view.main != "final") {}
+      : initial(std::move(loaded)), present(presenting), large(presenting || large_before) {}
 
   Settings initial;
-  bool present;
-  bool large;       // the chosen view alone, else the mosaic
-  size_t page = 0;  // of the mosaic
+  bool present;                                      // the picture and one caption, in large type
+  bool large_before = initial.view.main != "final";  // presenting began
+  bool large;                                        // the chosen view alone, else the mosaic
+  size_t page = 0;                                   // of the mosaic
   float ui_scale = 1;
   bool hidden = false, playing = false;
 

@@ -57,7 +57,8 @@ struct Input {
   const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
-  std::string message;            // an error or a notice to show until the next key; empty = none
+  std::string message;  // an error or a notice to show until the next key; empty = none
+  bool message_is_error = false;
   std::string banner;             // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
   double seconds = 0;             // a clock for motion, not part of any picture
   std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
@@ -110,8 +111,8 @@ struct State;
 
 class Ui {
  public:
-  explicit Ui(Settings initial,
-              bool present);  // initial = the state as loaded: Home returns to it. present = large type
+  // initial = the state as loaded: Home returns to it. present = the picture alone, in large type
+  explicit Ui(Settings initial, bool present);
   ~Ui();
 
   // Load fonts into the current ImGui context and set its style; once, before the first frame.

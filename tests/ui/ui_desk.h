@@ -47,6 +47,7 @@ class Desk {
     input.chart = chart;
     input.stability = stability;
     input.advisor = advisor;
+    input.message = message, input.message_is_error = message_is_error;
     input.probe = PixelProbe{.pixel = {123, 456}};
     const auto probed = [&](ProbeField field, glm::vec3 value) {
       input.probe->values[static_cast<size_t>(field)] = {value, 0};
@@ -92,6 +93,8 @@ class Desk {
   const ChartInput* chart = nullptr;
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
+  std::string message;
+  bool message_is_error = false;
   double seconds = 0;
   std::vector<std::string> held;
 };
