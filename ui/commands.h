@@ -30,6 +30,8 @@ void reveal_answer(FrameContext&, const KeyEvent&);
 void meter_light(FrameContext&, const KeyEvent&);
 void toggle_time(FrameContext&, const KeyEvent&);
 void toggle_presenting(FrameContext&, const KeyEvent&);
+void toggle_reticle(FrameContext&, const KeyEvent&);
+void toggle_talk_timer(FrameContext&, const KeyEvent&);
 void toggle_hidden(FrameContext&, const KeyEvent&);
 void reload_shaders(FrameContext&, const KeyEvent&);
 void toggle_navigation(FrameContext&, const KeyEvent&);

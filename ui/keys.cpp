@@ -47,6 +47,8 @@ constexpr KeyCommand kCommands[] = {
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F8", "exposure.meter", "meter the exposure from what the lights do on the surfaces that are seen", meter_light},
+    {"F9", "reticle", "a ring follows the mouse on the pictures, for a talk; again: none", toggle_reticle},
+    {"F10", "timer", "the time since this key, with the lesson's steps; again: none", toggle_talk_timer},
     {"Shift F12", "figure.window", "save the whole window", save_window},
     {"Ctrl+T", "theme", "light colours or dark ones; figures then stand on white or on dark", toggle_theme},
     {"Ctrl+F12", "figure.white", "captions of figures on white, or on dark again", toggle_white_figures},

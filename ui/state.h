@@ -51,6 +51,8 @@ struct State {
   size_t page = 0;                                   // of the mosaic
   float ui_scale = 1;
   bool hidden = false, playing = false;
+  bool reticle = false;              // a ring in the place of the mouse, on pictures
+  std::optional<double> talk_began;  // seconds; empty: no timer
 
   std::vector<std::unique_ptr<PanelState>> panels = make_panel_states();  // of each row of the table
   // What a panel remembers, by its type.

@@ -6,6 +6,7 @@
 #include "ui/keys.h"
 #include "ui/presenting.h"
 #include "ui/state.h"
+#include "ui/talk.h"
 
 namespace gbl::ui {
 namespace {
@@ -89,10 +90,12 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
     if (s.lesson) draw_lesson(f, f.layout.strip);
     draw_hidden_hint(f);
   }
+  if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
+  draw_talk_timer(f);
   ImGui::End();
   draw_panels(f);
   draw_notices(f);
-  if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
+  draw_reticle(f);
   return requests;
 }
 

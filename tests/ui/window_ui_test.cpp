@@ -31,7 +31,8 @@ const std::map<std::string, std::vector<std::string>> kBefore = {
 };
 
 // What Home leaves: how the window looks, not what it shows.
-const std::map<std::string, const char*> kAfter = {{"theme", "ctrl+t"}, {"present", "ctrl+shift+p"}};
+const std::map<std::string, const char*> kAfter = {
+    {"theme", "ctrl+t"}, {"present", "ctrl+shift+p"}, {"reticle", "F9"}, {"timer", "F10"}};
 
 // Settings but for what a key may leave changed on purpose: the pick is no part of a picture.
 Settings comparable(Settings s) {
