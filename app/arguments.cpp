@@ -70,7 +70,8 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     add_number(app, "y", a.pixel_y, "row of the pixel, from 0 at the top", 0, kMost)->required();
   }
   if (command == "view") {
-    app.add_flag("--present", a.present, "large type for a projector");
+    app.add_flag("--present", a.present,
+                 "the picture fills the window, one caption in large type; Ctrl+Shift+P: everything");
     app.add_option("--lesson", a.lesson, "open this lesson (list lessons)");
     app.add_flag("--fresh", a.fresh, "start as loaded and not where the window was left");
     add_number(app, "--frames", a.frames, "draw so many frames and leave", 0, kAnyInt);

@@ -118,12 +118,12 @@ class Loop {
     try {
       window_.toggle_full_screen();
     } catch (const Error& e) {
-      viewer_.say(e.what());
+      viewer_.fail(e.what());
     }
   }
 
   void drop(const std::vector<std::string>& files) {
-    if (files.size() > 1) return viewer_.say(fmt::format("{} files at once: drop one", files.size()));
+    if (files.size() > 1) return viewer_.fail(fmt::format("{} files at once: drop one", files.size()));
     if (!files.empty()) open(files.front());
   }
 
@@ -150,7 +150,7 @@ class Loop {
   }
 
   void say_trouble() {
-    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.say(trouble);
+    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.fail(trouble);
   }
 
   void step() {
@@ -181,7 +181,7 @@ class Loop {
       viewer_.open_scene(std::exchange(settings_.scene, before.scene));
     if (requests.path.open && requests.path.typed != path_.asked) path_ = completions(requests.path.typed);
     if (!requests.path.file.empty()) open(at_home(requests.path.file));
-    if (requests.figure) viewer_.say(save_figure(*requests.figure, size, screen_, settings_, lab_.machine()));
+    if (requests.figure) save(*requests.figure, size);
     if (requests.copy_command) copy_command();
     window_.swap();
     wake_in_ = requests.wake_in.value_or(kIdleSeconds);
@@ -191,6 +191,14 @@ class Loop {
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
     if (keeper_.due(input.seconds)) keeper_.keep(session(), input.seconds), say_trouble();
+  }
+
+  void save(const ui::Figure& figure, glm::ivec2 size) {
+    try {
+      viewer_.say(save_figure(figure, size, screen_, settings_, lab_.machine()));
+    } catch (const Error& e) {
+      viewer_.fail(e.what());
+    }
   }
 
   void copy_command() {

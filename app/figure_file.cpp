@@ -39,17 +39,13 @@ Image with_caption(Image picture, const ui::Figure& figure, ImguiScreen& screen)
 
 std::string save_figure(const ui::Figure& figure, glm::ivec2 window, ImguiScreen& screen, const Settings& s,
                         const Machine& machine) {
-  try {
-    const bool whole = figure.size.x <= 0;
-    Image image = whole ? shown({0, 0}, window, window) : shown(figure.first, figure.size, window);
-    if (!figure.caption.empty()) image = with_caption(std::move(image), figure, screen);
-    make_folder("out");
-    const std::filesystem::path path = free_figure_name(s);
-    write_png(path, image, picture_texts("gbufferlab view", s, machine));
-    return fmt::format("saved {}", path.string());
-  } catch (const Error& e) {
-    return e.what();
-  }
+  const bool whole = figure.size.x <= 0;
+  Image image = whole ? shown({0, 0}, window, window) : shown(figure.first, figure.size, window);
+  if (!figure.caption.empty()) image = with_caption(std::move(image), figure, screen);
+  make_folder("out");
+  const std::filesystem::path path = free_figure_name(s);
+  write_png(path, image, picture_texts("gbufferlab view", s, machine));
+  return fmt::format("saved {}", path.string());
 }
 
 }  // namespace gbl

@@ -45,17 +45,17 @@ void Viewer::arrive(bool wait, LightSource lights) {
   try {
     if (auto scene = loader_.take(wait)) {
       const bool dropped = opening_ && loader_.name() == opening_->scene;
-      message_ = fmt::format("{}: {} objects", loader_.name(), scene->instances.size());
+      say(fmt::format("{}: {} objects", loader_.name(), scene->instances.size()));
       const std::vector<std::string> notes = notes_of(*scene, dropped ? LightSource::scene : lights);
       for (const std::string& note : notes) message_ += "; " + note;
       if (notes.empty() && !dropped) message_.clear();
       lab_.show(loader_.name(), std::move(scene));
       asked_.reset();
-      if (dropped && !opening_->said.empty()) message_ = opening_->said;
+      if (dropped && !opening_->said.empty()) say(opening_->said);
       opened_ = opened_ || dropped;
     }
   } catch (const Error& e) {
-    if (e.code() != ExitCode::interrupted) message_ = e.what();
+    if (e.code() != ExitCode::interrupted) fail(e.what());
     refused_ = loader_.name();
     if (!opened_) opening_.reset();
   }
@@ -63,13 +63,13 @@ void Viewer::arrive(bool wait, LightSource lights) {
 
 void Viewer::begin(FileOpening opening) {
   if (opening.scene.empty() && loader_.loading()) {
-    message_ = fmt::format("{}: {} is still being read; open this one again then", opening.file, loader_.name());
+    fail(fmt::format("{}: {} is still being read; open this one again then", opening.file, loader_.name()));
     return;
   }
   opening_ = std::move(opening);
   opened_ = opening_->scene.empty() || (opening_->whole && opening_->scene == lab_.scene_name() && !loader_.loading());
   if (opened_)
-    message_ = opening_->said;
+    say(opening_->said);
   else
     loader_.start(opening_->scene);
 }
@@ -78,7 +78,7 @@ void Viewer::drop(const std::string& file) {
   try {
     begin(opening_of(file, lab_.limits()));
   } catch (const Error& e) {
-    message_ = e.what();
+    fail(e.what());
   }
 }
 
@@ -93,7 +93,7 @@ std::optional<Viewer::Opened> Viewer::take_opened(const Settings& s) {
     require_valid(settings, lab_.limits());
     return Opened{opening.file, std::move(settings), opening.whole};
   } catch (const Error& e) {
-    message_ = e.what();
+    fail(e.what());
     return {};
   }
 }
@@ -117,9 +117,9 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
     probe_asked_.reset();
     if (!moving) lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
     waiting_ = !moving;
-    if (std::exchange(draw_failed_, false)) message_.clear();  // what was wrong has been fixed
+    if (std::exchange(draw_failed_, false)) say("");  // what was wrong has been fixed
   } catch (const Error& e) {
-    message_ = e.what();
+    fail(e.what());
     draw_failed_ = true;
     fresh_.fill(false);  // the frame before was drawn again
   }
@@ -209,7 +209,7 @@ void Viewer::work_out_account(const ui::Requests& requests) {
                        first - account_->lights.begin() < static_cast<std::ptrdiff_t>(kCountedLights);
     if (account_waiting_) first->shaded = lab_.times_shaded(account_->pixel, {first->index}).front();
   } catch (const Error& e) {
-    message_ = e.what();
+    fail(e.what());
     account_waiting_ = false;
   }
 }
@@ -264,10 +264,10 @@ void Viewer::reload() {
   try {
     lab_.reload_shaders();
     for (const auto& job : jobs_) job->forget();
-    message_ = "shaders read again";
+    say("shaders read again");
     asked_.reset();
   } catch (const Error& e) {
-    message_ = e.what();  // the last good programs go on drawing
+    fail(e.what());  // the last good programs go on drawing
   }
 }
 
@@ -295,7 +295,7 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
       probe_asked_ = requests.probe;
     }
   } catch (const Error& e) {
-    message_ = e.what();
+    fail(e.what());
   }
   lab_.collect(false);
   waiting_ = waiting_ && !lab_.report().pairs;
@@ -332,6 +332,7 @@ ui::Input Viewer::input(double seconds) const {
   for (const auto& job : jobs_) job->fill(in);
   in.truth_progress = lab_.truth_progress();
   in.message = message_;
+  in.message_is_error = failed_;
   in.banner = loader_.loading() ? fmt::format("reading {}: {}", loader_.name(), loader_.progress()) : banner_;
   in.seconds = seconds;
   return in;

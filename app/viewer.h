@@ -39,7 +39,8 @@ class Viewer {
   void finish_loading() {
     while (loader_.loading()) arrive(true, LightSource::scene);
   }  // for tests and the first frame
-  void say(std::string message) { message_ = std::move(message); }
+  void say(std::string message) { message_ = std::move(message), failed_ = false; }
+  void fail(std::string message) { message_ = std::move(message), failed_ = true; }
 
   // Is there more to come without any input: an answer under way, a smaller picture to be replaced, a study that runs?
   bool busy() const { return drawing() || measures_more(); }
@@ -100,6 +101,7 @@ class Viewer {
   std::optional<PixelProbe> probe_;
   std::optional<glm::ivec2> probe_asked_;
   std::string message_, banner_;
+  bool failed_ = false;  // the message is an error
   long long shaders_ = 0;
 };
 

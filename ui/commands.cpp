@@ -109,7 +109,8 @@ void next_preset(FrameContext& f, const KeyEvent& e) {
 void go_home(FrameContext& f, const KeyEvent&) {
   State& s = f.state;
   f.settings = s.initial;
-  s.large = s.initial.view.main != "final";
+  s.large_before = s.initial.view.main != "final";
+  s.large = s.present || s.large_before;
   s.playing = s.show_distance = s.hidden = false;
   s.page = 0;
   close_panels(s, {Place::over, Place::whole});
@@ -196,6 +197,13 @@ void go_to_worst(FrameContext& f, const KeyEvent&) {
   say(f, {fmt::format("The worst pixel: {}, {} is off by {:.3g} {}.", stats->worst.x, stats->worst.y, stats->max,
                       unit_of(stats->of)),
           ""});
+}
+
+void toggle_presenting(FrameContext& f, const KeyEvent&) {
+  State& s = f.state;
+  s.present = !s.present;
+  if (s.present) s.large_before = s.large;
+  s.large = s.present || s.large_before;
 }
 
 void toggle_hidden(FrameContext& f, const KeyEvent&) { f.state.hidden = !f.state.hidden; }

@@ -74,7 +74,8 @@ void draw_label(FrameContext& f, const Box& room, bool at_right, const std::stri
   const float pad = std::round(px * 0.4f);
   while (px > kSmallestPx && text_size(text, px).x + 2 * pad > room.width()) px -= 1;
   const ImVec2 size{std::min(text_size(text, px).x + 2 * pad, room.width()), line_height(px) + 2};
-  const ImVec2 min{at_right ? room.max.x - size.x : room.min.x, room.max.y - size.y - 3 * line_height(px)};
+  const ImVec2 min{at_right ? room.max.x - size.x : room.min.x,
+                   room.max.y - size.y - 3 * line_height(px) - f.layout.foot};
   f.painter.fill({min, {min.x + size.x, min.y + size.y}}, on_picture().backing);
   f.painter.text({min.x + pad, min.y + 1 + above_text(px)}, px, on_picture().accent, text);
 }
@@ -128,7 +129,8 @@ void draw_difference(FrameContext& f, const Box& panel, const CompareInput& in) 
     draw_image(f, in.difference, panel);
   else
     draw_missing(f, panel, in.missing);
-  if (in.difference.texture) draw_legend(f.painter, panel, in.legend, f.type.body);
+  if (in.difference.texture)
+    draw_legend(f.painter, {panel.min, {panel.max.x, panel.max.y - f.layout.foot}}, in.legend, f.type.body);
   const bool whole = zoom_of(f, f.layout.main).whole();
   const std::string numbers =
       in.stats ? fmt::format("{}{}", numbers_of(*in.stats), whole ? "" : "   (of the part that is seen)") : "";

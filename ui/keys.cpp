@@ -44,10 +44,14 @@ constexpr KeyCommand kCommands[] = {
     {"U", "error", "the error against the reference, alone; Shift: the reference; again: all views", show_error},
     {"J", "error.worst", "hold the pixel whose error is largest", go_to_worst},
     {"Space", "time.pause", "let the lights move, or stop them", toggle_time},
+    {"Ctrl+Shift P", "present", "present: the picture fills the window, one caption in large type; again: everything",
+     toggle_presenting},
     {"F2", "hide", "the pictures alone; again: everything", toggle_hidden},
     {"F5", "shaders.reload", "read the shaders again", reload_shaders},
     {"F6", "panels", "walk the panel with Tab and the arrow keys; Esc leaves", toggle_navigation},
     {"F8", "exposure.meter", "meter the exposure from what the lights do on the surfaces that are seen", meter_light},
+    {"F9", "reticle", "a ring follows the mouse on the pictures, for a talk; again: none", toggle_reticle},
+    {"F10", "timer", "the time since this key, with the lesson's steps; again: none", toggle_talk_timer},
     {"Shift F12", "figure.window", "save the whole window", save_window},
     {"Ctrl+T", "theme", "light colours or dark ones; figures then stand on white or on dark", toggle_theme},
     {"Ctrl+F12", "figure.white", "captions of figures on white, or on dark again", toggle_white_figures},
@@ -100,14 +104,16 @@ bool press_panel_key(FrameContext& f, const KeyEvent& e) {
   return false;
 }
 
-void press_command(FrameContext& f, const KeyEvent& e) {
+// Those that name both modifiers are looked up first: Shift is free in the other tables.
+bool press_command(FrameContext& f, const KeyEvent& e, bool with_both) {
   for (const KeyCommand& c : kCommands) {
     const KeySpec keys = key_spec(c.key);
     const std::optional<size_t> which = which_key(keys, e);
-    if (!which) continue;
+    if (!which || (with_both && !(keys.shift && keys.ctrl))) continue;
     if (c.run && (!e.repeat || c.repeats)) c.run(f, as_in_table(keys, *which, e));
-    return;
+    return true;
   }
+  return false;
 }
 
 // What is said of a panel in F1's list: its own keys stand behind its help.
@@ -144,8 +150,9 @@ void dispatch(FrameContext& f, const KeyEvent& e) {
   f.state.dismissed = f.input.message;
   if ((ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) && belongs_to_navigation(e)) return;
   f.state.caption.reset();
-  if (press_in_panels(f, e) || press_option(f, e) || press_view(f, e) || press_panel_key(f, e)) return;
-  press_command(f, e);
+  if (press_in_panels(f, e) || press_command(f, e, true)) return;
+  if (press_option(f, e) || press_view(f, e) || press_panel_key(f, e)) return;
+  press_command(f, e, false);
 }
 
 std::vector<KeyRow> key_rows() {

@@ -37,9 +37,13 @@ Layout make_layout(const LayoutInput& in) {
   l.status = {{left, status_top}, {right, bottom}};
   l.strip = {at(0, kStripY), {at(kColumnX, 0).x, status_top}};
   l.column = {at(kColumnX, in.large ? 0 : kColumnY), {right, status_top}};
+  if (in.present) {
+    l.strip.max.x = right;
+    l.column = {{right, 0}, {right, status_top}};
+  }
   if (in.large) {
     l.main = in.chosen;
-    place({in.chosen, 0, 0, in.beside ? 800.0f : in.hidden ? 1600.0f : kColumnX});
+    place({in.chosen, 0, 0, in.beside ? 800.0f : in.hidden || in.present ? 1600.0f : kColumnX});
   } else {
     const std::vector<LookOf> page = in.page.empty() ? usual_panels() : in.page;
     l.main = view_by_id(page[0].view).view;

@@ -16,6 +16,7 @@ struct LayoutInput {
   bool large = false;        // the chosen view alone
   std::vector<LookOf> page;  // of the mosaic, the first one large; empty: the usual first page
   bool hidden = false;       // pictures only
+  bool present = false;      // the large picture fills the window, and the strip goes from edge to edge
   bool beside = false;       // a panel stands on the right half: the large picture stays in the left one
   float status_height = 25;
 };
@@ -33,6 +34,7 @@ struct Layout {
   std::vector<LockedPanel> locked;
   View main = View::final;
   Box canvas, strip, column, status;
+  float foot = 0;  // of the large picture, below its badge and legends: a caption lies on it
   const Box& main_box() const { return *panels[static_cast<size_t>(main)]; }
 };
 

@@ -22,12 +22,10 @@ void draw_lesson(FrameContext& f, const Box& strip) {
   f.painter.text_in({room.min, {hint_x - px, room.min.y + head}}, px, t.accent, place);
   const float say_px = std::round(f.type.large * 1.3f);
   std::vector<Paragraph> paragraphs;
-  // In large type the answer takes the place of what was said: the class has heard it.
-  if (!f.state.present || !run.revealed || step.answer.empty()) paragraphs.push_back({step.say, t.text, say_px});
+  paragraphs.push_back({step.say, t.text, say_px});
   if (!step.question.empty()) paragraphs.push_back({step.question, t.accent, say_px});
   // Invisible until asked for, but measured: nothing moves when it appears.
-  const bool measured = run.revealed || !f.state.present;
-  if (measured && !step.answer.empty()) paragraphs.push_back({step.answer, run.revealed ? t.text : 0, say_px});
+  if (!step.answer.empty()) paragraphs.push_back({step.answer, run.revealed ? t.text : 0, say_px});
   draw_paragraphs(f.painter, {{room.min.x, room.min.y + head}, room.max}, paragraphs, std::round(6 * f.layout.unit));
 }
 

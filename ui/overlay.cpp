@@ -56,14 +56,15 @@ bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, 
   return entered;
 }
 
-// An error or a notice, across the top until the next key. No window of ImGui's: one that appears would take the
+// An error or a notice, across the top until the next key; errors alone while presenting. No window of ImGui's: one that appears would take the
 // keyboard from whoever types.
 void draw_notices(FrameContext& f) {
   State& s = f.state;
   if (f.input.message != s.dismissed) s.dismissed.clear();
   const std::string& text = s.notice.empty() ? f.input.message : s.notice;
   const Box& canvas = f.layout.canvas;
-  if (!text.empty() && text != s.dismissed && !s.hidden) {
+  const bool error = !s.notice.empty() || f.input.message_is_error;
+  if (!text.empty() && text != s.dismissed && !s.hidden && (error || !s.present)) {
     const float pad = f.type.body * 0.6f, width = canvas.width() - 2 * pad;
     const float px = f.painter.fit(text, {width, f.type.body * 12}, f.type.body, true);
     const Box box{canvas.min, {canvas.max.x, canvas.min.y + text_size(text, px, width).y + 2 * pad}};

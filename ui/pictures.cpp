@@ -99,7 +99,7 @@ float backed_line(FrameContext& f, ImVec2 at, float width, ImU32 colour, float p
 
 // Over the large picture: d/r while and after gliding, the caption where the strip is taken, the app's banner.
 void draw_texts_on_main(FrameContext& f, const Box& panel) {
-  ImVec2 at{panel.min.x + 4, panel.max.y - 4};
+  ImVec2 at{panel.min.x + 4, panel.max.y - 4 - f.layout.foot};
   const std::optional<Light> light = picked_light(f.settings, f.input.lights);
   if (f.state.show_distance && light) {
     const double distance = distance_in_ranges(f.settings.camera, *light);
@@ -108,6 +108,7 @@ void draw_texts_on_main(FrameContext& f, const Box& panel) {
                                     distance < 1 ? "the camera is inside" : "the camera is outside")) +
             4;
   }
+  if (f.state.present) return;  // it says nothing but its caption
   if (f.state.lesson && f.state.caption) {
     const Sentence& s = f.state.caption->sentence;
     if (!s.pitfall.empty())
@@ -125,6 +126,7 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   look.px = v == f.layout.main ? f.type.body : f.type.small;
   look.words = !f.state.hidden;
   look.zoom = zoom_of(f, v);
+  if (v == f.layout.main) look.foot = f.layout.foot;
   if (v == f.chosen()) look.overlays = overlay_legends(v, f.stored, f.input);
   look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
   const Box own = v == f.layout.main ? box_of_a(f, panel) : panel;

@@ -43,14 +43,17 @@ struct LessonRun {
 
 struct State {
   State(Settings loaded, bool presenting)
-      : initial(std::move(loaded)), present(presenting), large(initial.view.main != "final") {}
+      : initial(std::move(loaded)), present(presenting), large(presenting || large_before) {}
 
   Settings initial;
-  bool present;
-  bool large;       // the chosen view alone, else the mosaic
-  size_t page = 0;  // of the mosaic
+  bool present;                                      // the picture and one caption, in large type
+  bool large_before = initial.view.main != "final";  // presenting began
+  bool large;                                        // the chosen view alone, else the mosaic
+  size_t page = 0;                                   // of the mosaic
   float ui_scale = 1;
   bool hidden = false, playing = false;
+  bool reticle = false;              // a ring in the place of the mouse, on pictures
+  std::optional<double> talk_began;  // seconds; empty: no timer
 
   std::vector<std::unique_ptr<PanelState>> panels = make_panel_states();  // of each row of the table
   // What a panel remembers, by its type.

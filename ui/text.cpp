@@ -74,7 +74,7 @@ void draw_paragraphs(Painter& p, const Box& box, const std::vector<Paragraph>& p
   }
 }
 
-void draw_fields(Painter& p, const Box& box, const std::vector<Field>& fields, float px) {
+void draw_fields(Painter& p, const Box& box, const std::vector<Field>& fields, float px, ImU32 label_colour) {
   float label = 0, gap = 0;
   const auto height = [&](const Field& q) { return text_size(q.text, px, box.width() - label).y + gap; };
   const auto total = [&] {
@@ -89,7 +89,7 @@ void draw_fields(Painter& p, const Box& box, const std::vector<Field>& fields, f
   float y = box.min.y;
   for (const Field& q : fields) {
     const Box room{{box.min.x + label, y}, {box.max.x, box.max.y}};
-    p.text({box.min.x, y}, px, theme().dim, q.label);
+    p.text({box.min.x, y}, px, label_colour, q.label);
     p.text_in(room, px, q.colour, q.text, true);
     y += height(q);
   }

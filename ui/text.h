@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/theme.h"
+
 namespace gbl::ui {
 
 struct Box {
@@ -60,7 +62,7 @@ struct Field {
   std::string label, text;
   ImU32 colour;
 };
-void draw_fields(Painter&, const Box&, const std::vector<Field>&, float px);
+void draw_fields(Painter&, const Box&, const std::vector<Field>&, float px, ImU32 label_colour = theme().dim);
 
 // A part of the window that can be clicked; true when it was. ImGui does not take one without an area: that is skipped.
 bool hit_area(const char* id, const Box&);

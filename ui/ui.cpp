@@ -4,7 +4,9 @@
 
 #include "renderer/frame/resolve.h"
 #include "ui/keys.h"
+#include "ui/presenting.h"
 #include "ui/state.h"
+#include "ui/talk.h"
 
 namespace gbl::ui {
 namespace {
@@ -18,8 +20,9 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Setting
           .large = s.large,
           .page = s.page == 0 ? settings.view.panels : page_of(stored, s.page),
           .hidden = s.hidden,
+          .present = s.present,
           .beside = panel_beside(s),
-          .status_height = status_height(type)};
+          .status_height = s.present ? 0 : status_height(type)};
 }
 
 // A larger window has larger type.
@@ -50,6 +53,7 @@ void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   f.stored = resolve(f.settings, f.input.scene).settings;
   f.layout = make_layout(layout_input(f.state, f.settings, f.stored, f.type));
   make_room(f);
+  f.layout.foot = presenting_foot(f);
 }
 
 }  // namespace
@@ -76,9 +80,11 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   s.history.see(settings);
   take_input(f, keys);
 
-  f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, theme().background);
+  f.painter.fill({{0, 0}, ImGui::GetIO().DisplaySize}, s.present ? IM_COL32_BLACK : theme().background);
   draw_pictures(f);
-  if (!s.hidden) {
+  if (s.present) {
+    if (!s.hidden) draw_presenting(f);
+  } else if (!s.hidden) {
     draw_strip(f);
     draw_control_column(f);
     draw_status_bar(f);
@@ -86,10 +92,12 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
     if (s.lesson) draw_lesson(f, f.layout.strip);
     draw_hidden_hint(f);
   }
+  if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
+  draw_talk_timer(f);
   ImGui::End();
   draw_panels(f);
   draw_notices(f);
-  if (s.caption) requests.wake_in = std::max(0.0, s.caption->until - input.seconds);
+  draw_reticle(f);
   return requests;
 }
 

@@ -63,7 +63,8 @@ struct Input {
   const AdvisorInput* advisor = nullptr;
   const PathInput* path = nullptr;  // null: no file is ever opened here
   std::string message;              // an error or a notice to show until the next key; empty = none
-  std::string banner;               // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
+  bool message_is_error = false;
+  std::string banner;  // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
   bool full_screen = false;
   double seconds = 0;             // a clock for motion, not part of any picture
   std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
@@ -120,8 +121,8 @@ struct State;
 
 class Ui {
  public:
-  explicit Ui(Settings initial,
-              bool present);  // initial = the state as loaded: Home returns to it. present = large type
+  // initial = the state as loaded: Home returns to it. present = the picture alone, in large type
+  explicit Ui(Settings initial, bool present);
   ~Ui();
 
   // Load fonts into the current ImGui context and set its style; once, before the first frame.

@@ -80,7 +80,8 @@ void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& imag
   p.outline(panel, pass_colour(view.written_by, on_picture()), thickness);
   if (look.chosen) p.outline(panel.inset(thickness), on_picture().accent, thickness);
   if (look.words) {
-    const Box room = panel.inset(look.chosen ? thickness * 2 - 2 : 0);
+    Box room = panel.inset(look.chosen ? thickness * 2 - 2 : 0);
+    room.max.y -= look.foot;
     draw_badge(p, room, view, why.empty() ? stored_as(v, s) : "", look);
     draw_legend(p, room, legend, look.px);
     const float below_badge = room.min.y + 6 + std::round(look.px * 1.28f);

@@ -17,6 +17,7 @@ struct PanelLook {
   bool words = true;      // badge and legend; without: the picture and its frame
   bool chosen = false;
   Zoom zoom;
+  float foot = 0;                       // at the lower edge, kept free of the legend
   std::vector<OverlayLegend> overlays;  // of what is laid over it
 };
 

@@ -74,7 +74,7 @@ TEST(StudyHere, OnlyStudiesOfOneScenesPictureCanRun) {
   std::vector<std::string> ids;
   for (const BuiltinStudy& b : builtin_studies())
     if (can_run_here(load_study(b.id))) ids.push_back(b.id);
-  for (const char* id : {"accumulation", "lights", "normals", "positions", "tradeoff"})
+  for (const char* id : {"accumulation", "lights", "normals", "positions", "quick", "tradeoff"})
     EXPECT_NE(std::find(ids.begin(), ids.end(), id), ids.end()) << id;
   for (const char* id : {"presets", "forward-or-deferred"})
     EXPECT_EQ(std::find(ids.begin(), ids.end(), id), ids.end()) << id;

@@ -171,7 +171,7 @@ TEST(Chart, F3OpensAndClosesItAndEscClosesIt) {
   EXPECT_FALSE(desk.last().open);
   desk.press("F3");
   EXPECT_TRUE(desk.last().open);
-  EXPECT_EQ(desk.last().study, "tradeoff");
+  EXPECT_EQ(desk.last().study, "quick");
   EXPECT_EQ(desk.visible(), 3) << "final, and the two below it: the others are under the chart";
   EXPECT_TRUE(desk.requests.visible[static_cast<size_t>(View::final)]);
   EXPECT_EQ(desk.requests.picture_size, glm::ivec2(800, 450));
@@ -180,6 +180,23 @@ TEST(Chart, F3OpensAndClosesItAndEscClosesIt) {
   desk.press("F3");
   desk.press("Esc");
   EXPECT_FALSE(desk.last().open);
+}
+
+TEST(Chart, OpenedForTheFirstTimeItBeginsAQuickStudy) {
+  ChartDesk desk;
+  const std::vector<ChartInput::Study> known = desk.input.studies;
+  desk.input.studies.clear();
+  desk.press("F3");
+  EXPECT_FALSE(desk.last().run) << "nobody knows the studies yet";
+  desk.input.studies = known;
+  desk.frame();
+  EXPECT_TRUE(desk.last().run);
+  EXPECT_EQ(desk.last().study, "quick");
+  desk.frame();
+  EXPECT_FALSE(desk.last().run) << "once";
+  desk.press("F3");
+  desk.press("F3");
+  EXPECT_FALSE(desk.last().run);
 }
 
 TEST(Chart, ALargePictureMovesBesideIt) {

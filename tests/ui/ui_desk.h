@@ -48,7 +48,7 @@ class Desk {
     input.stability = stability;
     input.advisor = advisor;
     input.path = path;
-    input.message = message;
+    input.message = message, input.message_is_error = message_is_error;
     input.probe = PixelProbe{.pixel = {123, 456}};
     const auto probed = [&](ProbeField field, glm::vec3 value) {
       input.probe->values[static_cast<size_t>(field)] = {value, 0};
@@ -96,6 +96,7 @@ class Desk {
   const AdvisorInput* advisor = nullptr;
   const PathInput* path = nullptr;
   std::string message;
+  bool message_is_error = false;
   double seconds = 0;
   std::vector<std::string> held;
 };

@@ -157,6 +157,8 @@ constexpr PanelKey kKeys[] = {
 
 void ask(FrameContext& f) {
   ChartState& s = chart_of(f);
+  // Opened for the first time: a quick study shows what the chart is for. It waits until its studies are known.
+  if (s.open && !s.begun && !chart_input(f).studies.empty()) s.begun = s.run = true;
   f.requests.chart = {s.open, s.study, std::exchange(s.run, false), std::exchange(s.stop, false)};
 }
 

@@ -8,7 +8,8 @@
 namespace gbl::ui {
 
 struct ChartState : PanelState {
-  std::string study = "tradeoff";
+  std::string study = "quick";
+  bool begun = false;  // that study, when the chart was opened for the first time
   std::string x = "time_ms_total_median", y = "over_1_255_display";  // columns
   size_t family = 0;                                                 // of the family paths
   std::optional<bool> log_x, log_y;                                  // empty: as the column asks for
