@@ -16,6 +16,7 @@ void show_pixels(FrameContext&, const KeyEvent&);
 void step_channels(FrameContext&, const KeyEvent&);
 void step_map(FrameContext&, const KeyEvent&);
 void fit_range(FrameContext&, const KeyEvent&);
+void show_codes(FrameContext&, const KeyEvent&);
 void toggle_histogram(FrameContext&, const KeyEvent&);
 void show_all(FrameContext&, const KeyEvent&);
 void next_preset(FrameContext&, const KeyEvent&);

@@ -29,6 +29,7 @@ constexpr KeyCommand kCommands[] = {
     {"Ctrl+L", "look.channels", "the large view: all channels, red, green, blue", step_channels},
     {"Ctrl+M", "look.map", "the large view: the next colour map", step_map},
     {"Ctrl+R", "look.fit", "the large view: black and white at the ends of what is seen; again: its own", fit_range},
+    {"Ctrl+U", "look.raw", "the large view: the stored codes, undecoded; again: as the view shows itself", show_codes},
     {"Ctrl+H", "look.histogram", "the large view: its histogram, with handles for black and white", toggle_histogram},
     {"0", "view.all", "all views at once; again: the next page of them", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},

@@ -245,7 +245,7 @@ const Option kOptions[] = {
   {.path = "view.error.range", .group = Group::view, .label = "Error range", .help = "where the error's colour bar ends, in its unit; 0 = where 99.9 % of the pixels are within it", NUMBER(view.error.range, 0, kFar)},
   {.path = "view.zoom", .group = Group::view, .label = "Zoom", .help = "of every panel; 1 = the whole picture", NUMBER(view.zoom, 1, 16384)},
   {.path = "view.centre", .group = Group::view, .label = "Centre", .help = "of what a panel shows, 0..1 across the picture from its top left", .kind = Kind::vector, .min = 0, .max = 1, .get = GET(OptionList({s.view.centre.x, s.view.centre.y})), .set = SET(s.view.centre = checked_pair(o, v))},
-  {.path = "view.looks", .group = Group::view, .label = "Looks", .help = "how views turn numbers into colours: VIEW:BLACK..WHITE or :fit, :CHANNELS, :MAP, :srgb or :linear", .kind = Kind::set, .get = GET(list_of(s.view.looks)), .set = SET(s.view.looks = checked_looks(o, v))},
+  {.path = "view.looks", .group = Group::view, .label = "Looks", .help = "how views turn numbers into colours: VIEW:BLACK..WHITE or :fit, :CHANNELS, :MAP, :srgb or :linear; or :raw, the stored codes", .kind = Kind::set, .get = GET(list_of(s.view.looks)), .set = SET(s.view.looks = checked_looks(o, v))},
   {.path = "view.overlays", .group = Group::view, .label = "Overlays", .help = "views laid over the main view, each as VIEW or VIEW:OPACITY, from the lowest to the topmost", .kind = Kind::set, .get = GET(list_of(s.view.overlays)), .set = SET(s.view.overlays = checked_overlays(o, v))},
 };
 // clang-format on
