@@ -79,7 +79,7 @@ class Viewer {
   bool stats_waiting_ = false;                  // of a visible view
   bool main_drawn_ = false;                     // in this frame: the main view's picture, or the reference's
   Settings::View view_drawn_;
-  bool laid_over_ = true;  // overlays are drawn
+  bool laid_over_ = true;                // overlays are drawn
   std::optional<PixelAccount> account_;  // of probe_
   bool account_waiting_ = false;
   std::optional<ui::PixelNumbers> numbers_;
