@@ -7,6 +7,7 @@
 #include "app/lab.h"
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
+#include "renderer/inspect/stored_bits.h"
 
 namespace gbl {
 namespace {
@@ -52,6 +53,30 @@ Json json_of(const std::vector<LightShare>& lights) {
   return out;
 }
 
+Json fields_of(const Settings& drawn, const StoredTexel& t) {
+  Json out = Json::array();
+  for (const FieldRead& r : read_fields(drawn, t))
+    out.push_back(
+        {{"name", r.field.name}, {"bits", r.place}, {"binary", r.binary}, {"codes", r.codes}, {"values", r.values}});
+  return out;
+}
+
+Json json_of(const DepthAccount& d) {
+  return {{"code", d.code},         {"bits", d.bits},   {"window", d.window},
+          {"distance", d.distance}, {"truth", d.truth}, {"step", d.step}};
+}
+
+Json json_of(const std::vector<PositionRoute>& routes) {
+  Json out = Json::array();
+  for (const PositionRoute& r : routes)
+    out.push_back({{"route", name_of(r)},
+                   {"position", json_of(r.position)},
+                   {"error", r.error},
+                   {"used", r.used},
+                   {"pitfall", std::string(pitfall_of(r))}});
+  return out;
+}
+
 void print_json(const PixelProbe& p, const PixelAccount& account, const Lab& lab) {
   Json json = {{"x", p.pixel.x}, {"y", p.pixel.y}, {"surface", p.surface()}};
   json["object_name"] = object_name(p, lab.scene());
@@ -64,7 +89,8 @@ void print_json(const PixelProbe& p, const PixelAccount& account, const Lab& lab
                               {"format", format.label},
                               {"bits", bits},
                               {"hex", hex(t)},
-                              {"contents", t.attachment.contents}});
+                              {"contents", t.attachment.contents},
+                              {"fields", fields_of(lab.report().drawn, t)}});
   }
   json["decoded"] = Json::array();
   each_field(p, lab.drawn(), [&](const ProbeFieldRow& field, const std::vector<float>& values) {
@@ -76,6 +102,8 @@ void print_json(const PixelProbe& p, const PixelAccount& account, const Lab& lab
                    {"triangle", account.seen.triangle},
                    {"tie", account.tie}};
   json["shown"] = {{"object", account.shown.object}, {"triangle", account.shown.triangle}};
+  if (account.surface) json["depth"] = json_of(account.depth);
+  json["positions"] = json_of(account.routes);
   json["against_truth"] = json_of(account.stored);
   json["lights"] = json_of(account.lights);
   json["sum"] = json_of(account.terms);
@@ -99,10 +127,23 @@ void print_lines(const std::vector<AccountLine>& lines, int first_off) {
   }
 }
 
+void print_positions(const PixelAccount& a) {
+  const DepthAccount& d = a.depth;
+  fmt::print("\ndepth, with all digits\n");
+  fmt::print("  code {}, window depth {:.9g}, distance {:.9g}, truth {:.9g}; the next code lies {:.3g} farther\n",
+             code_text(d), d.window, d.distance, d.truth, d.step);
+  if (!a.routes.empty()) fmt::print("\nposition, by each way to store it\n  {:<36}{:<47}{:<11}\n", "", "read", "error");
+  for (const PositionRoute& r : a.routes)
+    fmt::print("  {:<36}{:<47}{:<11.3g}{}{}\n", name_of(r),
+               fmt::format("{:>15.9g}{:>15.9g}{:>15.9g}  ", r.position.x, r.position.y, r.position.z), r.error,
+               r.used ? "used" : "", pitfall_of(r).empty() ? "" : fmt::format("  unsound: {}", pitfall_of(r)));
+}
+
 void print_account(const PixelAccount& a) {
   if (const std::string note = other_surface_note(a); !note.empty()) fmt::print("\n{}\n", note);
   if (!a.stored.empty()) fmt::print("\nagainst the reference in double precision\n");
   if (!a.stored.empty()) print_lines(a.stored, -1);
+  if (a.surface) print_positions(a);
   if (a.surface)
     fmt::print("\n{} light{} it{}\n", a.lights.size(), a.lights.size() == 1 ? " reaches" : "s reach",
                a.lights.empty() ? "" : ", the strongest first");
@@ -122,15 +163,27 @@ void print_account(const PixelAccount& a) {
   print_lines(a.terms, a.first_off);
 }
 
+void print_field(const FieldRead& r) {
+  std::string codes, values;
+  for (const uint32_t c : r.codes) codes += fmt::format(" {}", c);
+  for (const double v : r.values) values += fmt::format(" {:.7g}", v);
+  const bool meant = r.field.name != kUnusedBits;
+  fmt::print("    {:<30} {:<28} {}{}{}\n", r.field.name, "bits " + r.place, fmt::join(r.binary, "  "),
+             meant && r.field.kind != CodeKind::floating ? "  code" + codes : "", meant ? "  means" + values : "");
+}
+
 void print_text(const PixelProbe& p, const Lab& lab) {
   const std::string_view name = object_name(p, lab.scene());
-  fmt::print("pixel {}, {} of {}: {}\n\nstored, hexadecimal\n", p.pixel.x, p.pixel.y, size_text(lab.drawn().size),
+  fmt::print("pixel {}, {} of {}: {}\n\nstored: hexadecimal, then the bits of each field\n", p.pixel.x, p.pixel.y,
+             size_text(lab.drawn().size),
              !name.empty() ? name
              : p.surface() ? "a surface"
                            : "the background");
-  for (const StoredTexel& t : p.stored)
+  for (const StoredTexel& t : p.stored) {
     fmt::print("  {:<24} {:<11} {:<36} {}\n", t.attachment.name, row(t.attachment.format).label, hex(t),
                t.attachment.contents);
+    for (const FieldRead& r : read_fields(lab.report().drawn, t)) print_field(r);
+  }
   fmt::print("\ndecoded, as the lighting reads it\n");
   each_field(p, lab.drawn(), [](const ProbeFieldRow& field, const std::vector<float>& values) {
     std::string numbers;

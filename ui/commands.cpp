@@ -92,6 +92,13 @@ void fit_range(FrameContext& f, const KeyEvent&) {
 
 void lock_view(FrameContext& f, const KeyEvent&) { lock_panel(f); }
 
+void show_codes(FrameContext& f, const KeyEvent&) {
+  const View v = f.layout.main;
+  if (needs_truth(v)) return say(f, {fmt::format("{}: worked out, not stored: it has no codes.", row(v).label), ""});
+  const bool raw = toggle_raw(f, v);
+  say(f, {fmt::format("{}: {}.", row(v).label, raw ? "the stored codes, undecoded" : "decoded"), ""});
+}
+
 void toggle_histogram(FrameContext& f, const KeyEvent&) { f.state.histogram = !f.state.histogram; }
 
 void next_preset(FrameContext& f, const KeyEvent& e) {

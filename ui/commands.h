@@ -17,6 +17,7 @@ void step_channels(FrameContext&, const KeyEvent&);
 void step_map(FrameContext&, const KeyEvent&);
 void lock_view(FrameContext&, const KeyEvent&);
 void fit_range(FrameContext&, const KeyEvent&);
+void show_codes(FrameContext&, const KeyEvent&);
 void toggle_histogram(FrameContext&, const KeyEvent&);
 void show_all(FrameContext&, const KeyEvent&);
 void next_preset(FrameContext&, const KeyEvent&);

@@ -32,6 +32,7 @@ constexpr KeyCommand kCommands[] = {
     {"Ctrl+R", "look.fit", "the large view: black and white at the ends of what is seen; again: its own", fit_range},
     {"Ctrl+K", "panel.lock", "lock the large view as it looks now into the last panel; again: no locked one",
      lock_view},
+    {"Ctrl+U", "look.raw", "the large view: the stored codes, undecoded; again: as the view shows itself", show_codes},
     {"Ctrl+H", "look.histogram", "the large view: its histogram, with handles for black and white", toggle_histogram},
     {"0", "view.all", "all views at once; again: the next page of them", show_all},
     {"B", "preset", "next preset; Shift: the one before", next_preset},

@@ -35,6 +35,12 @@ struct Glide {
   double start = 0;
 };
 
+// A number to type in, as it was last shown.
+struct NumberField {
+  std::array<char, 32> text{};
+  std::string shows;
+};
+
 struct LessonRun {
   Lesson lesson;
   size_t step = 0;
@@ -95,9 +101,11 @@ struct State {
   bool light = false;                                    // the theme
   std::optional<bool> white_figures;                     // empty: as the theme is
   bool figures_on_white() const { return white_figures.value_or(light); }
-  bool histogram = false;                 // of the large view
-  std::optional<glm::dvec2> held_before;  // the last click
-  std::optional<View> focused;            // has the panel keys
+  bool histogram = false;                   // of the large view
+  bool linear_counts = false;               // its bars: by the count, else by its logarithm
+  std::array<NumberField, 2> range_fields;  // its black and white
+  std::optional<glm::dvec2> held_before;    // the last click
+  std::optional<View> focused;              // has the panel keys
   std::vector<std::string> cut_texts;
 };
 
@@ -148,8 +156,10 @@ void set_zoom(FrameContext&, View, const Zoom&, bool this_panel_only);
 void show_whole(FrameContext&);  // all panels
 void show_pixel_for_pixel(FrameContext&);
 double most_zoom(const FrameContext&, const Box& panel);  // a pixel is as large as its numbers need, and no larger
+// What is changed of a look is of decoded numbers: stored codes are shown no more.
 void change_look(FrameContext&, View, const std::function<void(ViewLook&)>&);
-void use_view_tools(FrameContext&);  // the buttons on the large picture: before what lies below them
+bool toggle_raw(FrameContext&, View);  // the stored codes, or as it was by itself; true: the codes are shown
+void use_view_tools(FrameContext&);    // the buttons on the large picture: before what lies below them
 void draw_view_tools(FrameContext&);
 void draw_pixel_grid(FrameContext&, View, const Box& picture);  // and the numbers on the pixels
 

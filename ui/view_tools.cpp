@@ -1,9 +1,10 @@
 // Looking closely at a view: zoom, the grid and the numbers of single pixels, and on the large picture the buttons for
-// its channels, colours and range with the histogram.
+// its channels, colours, range and codes.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
+#include "ui/histogram.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -65,6 +66,8 @@ const Tool kTools[] = {
     {"map", "tool.map", [](const FrameContext& f, View v) { return look_now(f, v).map != ColourMap::own; }, next_map},
     {"range", "tool.fit", [](const FrameContext& f, View v) { return look_now(f, v).fit || look_now(f, v).range; },
      press_fit},
+    {"raw", "tool.raw", [](const FrameContext& f, View v) { return look_now(f, v).raw; },
+     [](FrameContext& f, View v, bool) { toggle_raw(f, v); }},
     {"histogram", "tool.histogram", [](const FrameContext& f, View) { return f.state.histogram; },
      [](FrameContext& f, View, bool) { f.state.histogram = !f.state.histogram; }},
     {"1:1", "tool.1:1", [](const FrameContext& f, View v) { return !zoom_of(f, v).whole(); },
@@ -90,124 +93,6 @@ void for_each_tool(const FrameContext& f, Each each) {
     each(*t, Box{{right - width, panel.min.y + 4}, {right, panel.min.y + 4 + height}});
     right -= width + 2;
   }
-}
-
-// ---- the histogram -------------------------------------------------------------------------------------
-Box histogram_box(const FrameContext& f) {
-  const Box& panel = f.layout.main_box();
-  const float px = f.type.small, right = panel.max.x - 6, top = panel.min.y + 8 + line_height(px) + 2;
-  return {{right - std::min(panel.width() * 0.55f, 38 * px), top}, {right, top + 10 * px}};
-}
-
-// Where bars and handles stand: above two lines of text.
-Box plot_box(const FrameContext& f) {
-  Box b = histogram_box(f).inset(std::round(f.type.small * 0.6f));
-  b.max.y -= 2 * line_height(f.type.small) + f.type.small * 0.6f;
-  return b;
-}
-
-const ViewStats* stats_of_main(const FrameContext& f) { return f.input.stats[at(f.layout.main)]; }
-
-glm::dvec2 range_now(const FrameContext& f) {
-  return shown_range(f.layout.main, f.settings, f.input.scene.bounds, stats_of_main(f));
-}
-
-// What the axis spans: the numbers, and black and white as they are without a hand on them.
-glm::dvec2 axis_of(const FrameContext& f, const ViewStats& stats) {
-  Settings own = f.settings;
-  ViewLook look = look_now(f, f.layout.main);
-  look.range.reset();
-  set_look(own.view.looks, row(f.layout.main).id, look);
-  const glm::dvec2 r = shown_range(f.layout.main, own, f.input.scene.bounds, &stats);
-  return {std::min(stats.binned.x, std::min(r.x, r.y)), std::max(stats.binned.y, std::max(r.x, r.y))};
-}
-
-constexpr const char* kHandles[] = {"tool.black", "tool.white"};
-
-void use_histogram(FrameContext& f) {
-  const ViewStats* stats = stats_of_main(f);
-  if (!f.state.histogram || !stats) return;
-  const Box plot = plot_box(f);
-  const glm::dvec2 axis = axis_of(f, *stats);
-  const float grip = std::round(f.type.small * 0.6f);
-  for (int k = 0; k < 2; ++k) {
-    const double t = (range_now(f)[k] - axis.x) / (axis.y - axis.x);
-    const float x = plot.min.x + static_cast<float>(std::clamp(t, 0.0, 1.0)) * plot.width();
-    hit_area(kHandles[k], {{x - grip, plot.max.y - 2}, {x + grip, plot.max.y + 2 * grip}});
-    if (!ImGui::IsItemActive() || ImGui::GetIO().MouseDelta.x == 0) continue;
-    const double to = std::clamp((ImGui::GetIO().MousePos.x - plot.min.x) / double(plot.width()), 0.0, 1.0);
-    glm::dvec2 range = range_now(f);
-    range[k] = glm::mix(axis.x, axis.y, to);
-    if (range.x != range.y)
-      change_look(f, f.layout.main, [&](ViewLook& look) { look.fit = false, look.range = range; });
-  }
-  hit_area("tool.plot", histogram_box(f));
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
-    change_look(f, f.layout.main, [](ViewLook& look) { look.fit = false, look.range.reset(); });
-}
-
-std::string numbers_of(const ViewStats& s, int components) {
-  const auto list = [&](const glm::dvec3& v) {
-    std::string text;
-    for (int k = 0; k < components; ++k) text += fmt::format("{}{:.4g}", k ? " " : "", v[k]);
-    return text;
-  };
-  return fmt::format("least {}   mean {}   largest {}", list(s.min), list(s.mean), list(s.max));
-}
-
-std::string faults_of(const ViewStats& s) {
-  std::string text = fmt::format("{} of the pixels asked", s.pixels);
-  if (s.nonfinite > 0) text += fmt::format("   {} {} are no number", kUnsoundSign, s.nonfinite);
-  if (s.negative > 0) text += fmt::format("   {} below 0", s.negative);
-  return text + "   log count";
-}
-
-void draw_bars(FrameContext& f, const Box& plot, const ViewStats& stats, const glm::dvec2& axis) {
-  const int components = row(f.layout.main).values.components;
-  constexpr ImU32 kInks[] = {IM_COL32(255, 110, 110, 150), IM_COL32(110, 230, 110, 150), IM_COL32(120, 150, 255, 150)};
-  uint32_t most = 1;
-  for (const auto& bins : stats.bins) most = std::max(most, *std::max_element(bins.begin(), bins.end()));
-  const auto x_of = [&](double value) {
-    return plot.min.x + static_cast<float>((value - axis.x) / (axis.y - axis.x)) * plot.width();
-  };
-  for (int c = 0; c < components; ++c)
-    for (int i = 0; i < ViewStats::kBins; ++i) {
-      const uint32_t n = stats.bins[static_cast<size_t>(c)][static_cast<size_t>(i)];
-      if (n == 0) continue;
-      const double step = (stats.binned.y - stats.binned.x) / ViewStats::kBins;
-      const float left = x_of(stats.binned.x + step * i),
-                  right = std::max(left + 1, x_of(stats.binned.x + step * (i + 1)));
-      const auto share = static_cast<float>(std::log1p(double(n)) / std::log1p(double(most)));
-      f.painter.fill({{left, plot.max.y - std::max(2.0f, share * plot.height())}, {right, plot.max.y}},
-                     components == 1 ? on_picture().dim : kInks[c]);
-    }
-  f.painter.fill({{plot.min.x, plot.max.y}, {plot.max.x, plot.max.y + 1}}, on_picture().text);
-}
-
-void draw_histogram(FrameContext& f) {
-  const Box box = histogram_box(f), plot = plot_box(f);
-  const float px = f.type.small, line = line_height(px), grip = std::round(px * 0.6f);
-  f.painter.fill(box, on_picture().backing, 3);
-  const ViewStats* stats = stats_of_main(f);
-  if (!stats || stats->pixels == 0) {
-    f.painter.text_in(plot, px, on_picture().text, "no pixel of it has a number yet", true);
-    return;
-  }
-  const glm::dvec2 axis = axis_of(f, *stats), range = range_now(f);
-  draw_bars(f, plot, *stats, axis);
-  for (int k = 0; k < 2; ++k) {
-    const double t = std::clamp((range[k] - axis.x) / (axis.y - axis.x), 0.0, 1.0);
-    const float x = plot.min.x + static_cast<float>(t) * plot.width();
-    const ImVec2 a{x, plot.max.y}, b{x - grip, plot.max.y + 1.6f * grip}, c{x + grip, plot.max.y + 1.6f * grip};
-    f.painter.list().AddTriangleFilled(a, b, c, k == 0 ? IM_COL32_BLACK : IM_COL32_WHITE);
-    f.painter.list().AddTriangle(a, b, c, on_picture().accent);
-  }
-  const int components = row(f.layout.main).values.components;
-  const float top = plot.max.y + 1.8f * grip;
-  f.painter.text_in({{plot.min.x, top}, {plot.max.x, top + line}}, px, on_picture().text,
-                    numbers_of(*stats, components));
-  f.painter.text_in({{plot.min.x, top + line}, {plot.max.x, top + 2 * line}}, px, on_picture().dim,
-                    fmt::format("black {:.4g}, white {:.4g}   {}", range.x, range.y, faults_of(*stats)));
 }
 
 // ---- single pixels -------------------------------------------------------------------------------------
@@ -283,26 +168,32 @@ double most_zoom(const FrameContext& f, const Box& panel) {
 
 void change_look(FrameContext& f, View v, const std::function<void(ViewLook&)>& change) {
   ViewLook look = look_now(f, v);
+  look.raw = false;
   change(look);
   set_look(f.settings.view.looks, row(v).id, look);
 }
 
+bool toggle_raw(FrameContext& f, View v) {
+  ViewLook look;
+  look.raw = !look_now(f, v).raw;
+  const bool raw = look.raw;
+  set_look(f.settings.view.looks, row(v).id, std::move(look));
+  return raw;
+}
+
 void use_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
-  use_histogram(f);
-  if (f.state.present) return;  // without buttons
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {
     const bool pressed = hit_area(t.id, box);
     const bool right = ImGui::IsItemHovered() && ImGui::IsMouseClicked(1);
     if (pressed || right) t.press(f, v, right);
   });
+  use_histogram(f);
 }
 
 void draw_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
-  if (f.state.histogram) draw_histogram(f);
-  if (f.state.present) return;
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {
     f.painter.fill(box, on_picture().backing, 3);
@@ -310,6 +201,7 @@ void draw_view_tools(FrameContext& f) {
     f.painter.text({(box.min.x + box.max.x - size.x) / 2, box.min.y + 1 + above_text(f.type.small)}, f.type.small,
                    t.lit(f, v) ? on_picture().accent : on_picture().dim, t.label);
   });
+  draw_histogram(f);
 }
 
 void draw_pixel_grid(FrameContext& f, View v, const Box& picture) {

@@ -1,9 +1,11 @@
 #include "renderer/frame/packing_svg.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <string_view>
 
 #include "renderer/frame/attachments.h"
+#include "renderer/frame/stored_fields.h"
 
 namespace gbl {
 namespace {
@@ -11,7 +13,7 @@ namespace {
 constexpr int kLeft = 250, kWidth = 640, kRow = 50, kCell = 26, kTop = 44;
 
 struct Cell {
-  std::string channels;
+  std::string name;
   int bits;
 };
 
@@ -21,32 +23,36 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-int bits_of_channels(Format f, size_t channels) {
-  if (f == Format::r11g11b10f) return 32;
-  const FormatRow& r = row(f);
-  return static_cast<int>(channels) * r.bytes * 8 / r.channels;
+// Bits of one field that lie side by side, in the order in which they lie.
+std::vector<Cell> cells_of(const Settings& s, const Attachment& a) {
+  struct Piece {
+    BitRun run;
+    std::string_view name;
+  };
+  const std::vector<StoredField> fields = stored_fields(s, a);
+  std::vector<Piece> pieces;
+  for (const StoredField& f : fields)
+    for (const BitRuns& code : f.components)
+      for (const BitRun& r : code) pieces.push_back({r, f.name});
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+    return std::pair(p.run.channel, p.run.first) < std::pair(q.run.channel, q.run.first);
+  });
+  std::vector<Cell> cells;
+  for (const Piece& p : pieces)
+    if (!cells.empty() && cells.back().name == p.name)
+      cells.back().bits += p.run.bits;
+    else
+      cells.push_back({std::string(p.name), p.run.bits});
+  return cells;
 }
 
-// "rgb: albedo; a: roughness" -> two cells; a text without channels is one.
-std::vector<Cell> cells_of(const Attachment& a) {
-  std::vector<Cell> cells;
-  std::string_view rest = a.contents;
-  while (!rest.empty()) {
-    const size_t end = std::min(rest.find(';'), rest.size());
-    std::string_view part = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
-    const size_t colon = part.find(':');
-    const bool named = colon != std::string_view::npos && part.find_first_not_of("rgba") == colon;
-    if (named)
-      cells.push_back({std::string(part.substr(0, colon)), bits_of_channels(a.format, colon)});
-    else
-      cells.push_back({"", row(a.format).bytes * 8});
-  }
-  int unused = row(a.format).bytes * 8;
-  for (const Cell& c : cells) unused -= c.bits;
-  if (unused > 0) cells.push_back({"unused", unused});
-  return cells;
+// As many words of the field's name as there is room for beside its bits.
+std::string_view name_in(const Cell& c, double width) {
+  constexpr double kLetter = 7.5, kNumber = 30;
+  std::string_view name = c.name;
+  while (!name.empty() && kLetter * static_cast<double>(name.size()) + kNumber > width)
+    name = name.substr(0, name.find(' ') == std::string_view::npos ? 0 : name.rfind(' '));
+  return name;
 }
 
 }  // namespace
@@ -65,12 +71,12 @@ std::string packing_svg(const Settings& s, const std::string& title) {
         "<text x=\"10\" y=\"{}\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\" fill=\"#555\">{} · {} B</text>\n",
         y + 21, escaped(a.name), kLeft - 10, y + 21, row(a.format).label, row(a.format).bytes);
     double x = kLeft;
-    for (const Cell& c : cells_of(a)) {
+    for (const Cell& c : cells_of(s, a)) {
       const double width = double(kWidth) * c.bits / most;
       body += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"#e8eef7\" stroke=\"#335\"/>"
           "<text x=\"{:.1f}\" y=\"{}\"><tspan font-weight=\"bold\">{}</tspan> {}</text>\n",
-          x, y, width, kCell, x + 6, y + 18, c.channels, c.bits);
+          x, y, width, kCell, x + std::min(6.0, width / 5), y + 18, escaped(name_in(c, width)), c.bits);
       x += width;
     }
     body += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#333\">{}</text>\n", kLeft, y + kCell + 13,

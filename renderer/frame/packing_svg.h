@@ -1,5 +1,5 @@
 #pragma once
-// A G-buffer's packing as a drawing: one row per attachment, one cell per group of channels, as wide as its bits.
+// A G-buffer's packing as a drawing: one row per attachment, one cell per field, as wide as its bits.
 #include <string>
 
 #include "renderer/options/settings.h"

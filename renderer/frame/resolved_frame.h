@@ -42,6 +42,9 @@ struct ResolvedFrame {
   bool mistaken(Mistake m) const { return settings.mistakes.count(m) > 0; }
 };
 
+// What the sums of light are stored times.
+double light_sum_scale(double exposure);
+
 ResolvedFrame resolve_frame(const Settings&, const Scene&, FeatureSet);
 
 // The frames resolved last: one is worked out anew only when its settings, its scene or its rig's file have changed.

@@ -11,7 +11,7 @@ constexpr MaterialTexel kExactMaterial = {
     "gbuffer.material", Stores::material, Format::rg32ui,
     "r: base colour 10 10 10 sRGB-coded, roughness bits 0-1; g: roughness bits 2-13, metal 10, occlusion 10"};
 constexpr MaterialTexel kExactEmission = {"gbuffer.emission", Stores::emission, Format::r32ui,
-                                          "emission 11 11 10, sRGB-coded as displayed"};
+                                          "r: emission 11 11 10 sRGB-coded as displayed"};
 
 #define LAYOUT(name, ...) {__VA_ARGS__},
 constexpr LayoutRow kLayouts[] = {

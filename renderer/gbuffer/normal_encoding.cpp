@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/gbuffer/normal_code.h"
 #include "renderer/rows/value_table.h"
 
 // The shader's text twice. GLM supplies GLSL's functions; `real` is the one word that differs.
@@ -126,6 +127,7 @@ glm::dvec3 stored_code(NormalEncoding e, const glm::dvec3& n, StoreRounding r) {
 glm::vec3 stored_code(NormalEncoding e, const glm::vec3& n, StoreRounding r) {
   return code_in_texel(encoding_of(e), n, r);
 }
+glm::dvec3 normal_of_code(NormalEncoding e, const glm::dvec3& code) { return encoding_of(e).f64.decode(code); }
 glm::dvec3 stored_normal(NormalEncoding e, const glm::dvec3& n, StoreRounding r) { return read_back(e, n, r); }
 glm::vec3 stored_normal(NormalEncoding e, const glm::vec3& n, StoreRounding r) { return read_back(e, n, r); }
 

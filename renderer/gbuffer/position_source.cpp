@@ -54,39 +54,42 @@ glm::vec3 as_half(const glm::vec3& v) {
   return out;
 }
 
-struct Pixel {
-  glm::vec2 ndc;
-  double range;
-};
-
-glm::vec3 by_view_ray(const Camera& c, const Pixel& p, float range) {
-  const ViewRays rays = view_rays(c, kAspect);
-  return range * (glm::vec3(rays.forward) + p.ndc.x * glm::vec3(rays.right) + p.ndc.y * glm::vec3(rays.up));
+glm::vec3 by_view_ray(const SurfacePixel& p, float range) {
+  const ViewRays rays = view_rays(p.camera, p.aspect);
+  const glm::vec3 sideways = p.ndc.x * glm::vec3(rays.right) + p.ndc.y * glm::vec3(rays.up);
+  if (p.camera.orthographic()) return range * glm::vec3(rays.forward) + sideways;
+  return range * (glm::vec3(rays.forward) + sideways);
 }
 
-glm::vec3 from_depth(const Camera& c, const PositionRow& r, const Pixel& p) {
+// As shaders/position.glsl, in float.
+float range_from_stored(const Camera& c, DepthRuns runs, float depth) {
+  const auto near = static_cast<float>(c.near), far = static_cast<float>(c.far);
+  const float from_far = runs == DepthRuns::reversed ? depth : 1.0f - depth;
+  if (c.orthographic()) return far - from_far * (far - near);
+  return near * far / (near + from_far * (far - near));
+}
+
+glm::vec3 from_depth(const PositionRow& r, const SurfacePixel& p) {
+  const Camera& c = p.camera;
   const DepthRuns runs = runs_of(r.format);
-  const float depth = stored_depth(r.format, depth_from_range(c, p.range, runs));
-  if (r.reconstruct == R::view_ray) {
-    const auto near = static_cast<float>(c.near), far = static_cast<float>(c.far);
-    const float from_far = runs == DepthRuns::reversed ? depth : 1.0f - depth;
-    return by_view_ray(c, p, near * far / (near + from_far * (far - near)));
-  }
+  if (r.reconstruct == R::view_ray) return by_view_ray(p, range_from_stored(c, runs, p.window_depth));
   const glm::mat4 view_from_world = glm::mat4(glm::mat4_cast(glm::conjugate(c.orientation))) *
                                     glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
                                               glm::vec4(-glm::vec3(c.position), 1));
-  const glm::mat4 world_from_clip = glm::inverse(glm::mat4(clip_from_view(c, kAspect, runs)) * view_from_world);
-  const glm::vec4 world = world_from_clip * glm::vec4(p.ndc, depth * 2.0f - 1.0f, 1.0f);
+  const glm::mat4 world_from_clip = glm::inverse(glm::mat4(clip_from_view(c, p.aspect, runs)) * view_from_world);
+  const float ndc_depth = runs == DepthRuns::reversed ? p.window_depth : p.window_depth * 2.0f - 1.0f;
+  const glm::vec4 world = world_from_clip * glm::vec4(p.ndc, ndc_depth, 1.0f);
   return glm::vec3(world) / world.w - glm::vec3(c.position);
 }
 
-glm::vec3 restored(const Camera& c, const PositionRow& r, const Pixel& p, const glm::dvec3& truth) {
+glm::vec3 restored(const PositionRow& r, const SurfacePixel& p) {
   constexpr float kViewScale = 1.0e6f;
+  const Camera& c = p.camera;
   const glm::mat3 view_from_world(glm::mat3_cast(glm::conjugate(c.orientation)));
-  const glm::vec3 relative(truth), origin(c.position), view = view_from_world * relative;
+  const glm::vec3 relative(p.relative), origin(c.position), view = view_from_world * relative;
   switch (r.source) {
-    case S::depth: return from_depth(c, r, p);
-    case S::linear32f: return by_view_ray(c, p, static_cast<float>(p.range));
+    case S::depth: return from_depth(r, p);
+    case S::linear32f: return by_view_ray(p, static_cast<float>(glm::dot(p.relative, c.forward())));
     case S::world16f: return as_half(relative + origin) - origin;
     case S::world32f: return (relative + origin) - origin;
     case S::view16f: return as_half(view) * view_from_world;
@@ -100,6 +103,8 @@ glm::vec3 restored(const Camera& c, const PositionRow& r, const Pixel& p, const 
 
 std::span<const PositionRow> position_rows() { return kRows; }
 
+glm::dvec3 position_read(const PositionRow& r, const SurfacePixel& p) { return restored(r, p); }
+
 std::string id_of(const PositionRow& r) {
   if (r.source != S::depth) return row(r.source).id;
   return fmt::format("{}/{}/{}", row(r.source).id, row(r.format).id, row(r.reconstruct).id);
@@ -112,9 +117,11 @@ double largest_position_error(const PositionRow& r, double range) {
   double largest = 0;
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 160; ++x) {
-      const Pixel p{{(2 * x + 1) / 160.0f - 1, (2 * y + 1) / 90.0f - 1}, range * random.in(0.99, 1.01)};
-      const glm::dvec3 truth = p.range * (rays.forward + double(p.ndc.x) * rays.right + double(p.ndc.y) * rays.up);
-      largest = std::max(largest, glm::distance(glm::dvec3(restored(c, r, p, truth)), truth));
+      const glm::vec2 ndc{(2 * x + 1) / 160.0f - 1, (2 * y + 1) / 90.0f - 1};
+      const double at = range * random.in(0.99, 1.01);
+      const glm::dvec3 truth = at * (rays.forward + double(ndc.x) * rays.right + double(ndc.y) * rays.up);
+      const float depth = stored_depth(r.format, depth_from_range(c, at, runs_of(r.format)));
+      largest = std::max(largest, glm::distance(position_read(r, {c, kAspect, ndc, truth, depth}), truth));
     }
   return largest;
 }

@@ -20,6 +20,17 @@ struct PositionRow {
 };
 std::span<const PositionRow> position_rows();
 
+// A pixel whose surface is known.
+struct SurfacePixel {
+  Camera camera;
+  double aspect;
+  glm::vec2 ndc;        // of the pixel's centre, -1..1
+  glm::dvec3 relative;  // to the camera, along the world's axes
+  float window_depth;   // as it is stored
+};
+// What the lighting reads by this way, relative to the camera; max_error is not asked for.
+glm::dvec3 position_read(const PositionRow&, const SurfacePixel&);
+
 std::string id_of(const PositionRow&);  // "world16f", "depth/d24/view-ray"
 
 // Measured anew, over a grid of pixels of a 16:9 picture.

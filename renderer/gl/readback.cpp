@@ -125,9 +125,8 @@ Value channel(const std::byte* texel, size_t c) {
 // What was stored in these bits, read as a float, gives these bits again: the float is representable in them.
 uint32_t bits_of(float value, int bits) {
   if (bits == 32) return std::bit_cast<uint32_t>(value);
-  if (bits == 16) return glm::packHalf1x16(value);
-  const uint32_t packed = glm::packF2x11_1x10({value, 0, value});
-  return bits == 11 ? packed & 0x7ff : packed >> 22;
+  // 11 and 10 bits are a half float's without the sign, its fraction cut short. (GLM's own packing loses subnormal numbers.)
+  return uint32_t{glm::packHalf1x16(value)} >> (bits == 16 ? 0 : 15 - bits);
 }
 
 std::array<uint32_t, 4> bits_of(const std::byte* texel, Format format) {
@@ -144,6 +143,8 @@ std::array<uint32_t, 4> bits_of(const std::byte* texel, Format format) {
     else
       out[c] = bits == 16 ? channel<uint16_t>(texel, c) : channel<uint32_t>(texel, c);
   }
+  if (format == Format::d24s8) out[1] = channel<uint32_t>(texel, 0) & 0xff;
+  if (format == Format::d32fs8) out[1] = channel<uint32_t>(texel, 1) & 0xff;
   return out;
 }
 

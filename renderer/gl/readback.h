@@ -57,7 +57,7 @@ class AsyncTexels {
  public:
   void start(std::span<const Texture* const>, glm::ivec2 texel);
   void drop() { bytes_.drop(); }
-  // Of each texture its channels' bits as FormatRow says, the lowest first in each word; a stencil is left out.
+  // Of each texture its channels' bits as FormatRow says, the lowest first in each word; a stencil is the second.
   std::optional<std::vector<std::array<uint32_t, 4>>> take(bool wait = false);
 
  private:

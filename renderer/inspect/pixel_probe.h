@@ -33,7 +33,7 @@ inline constexpr int kProbeFieldCount = 0
 #undef PROBE_FIELD
     ;
 
-// An attachment's texel as it lies in memory: of each channel the low channel_bits(format) bits, stencil left out.
+// An attachment's texel as it lies in memory: of each channel the low channel_bits(format) bits; a stencil is the second.
 struct StoredTexel {
   Attachment attachment;
   std::array<uint32_t, 4> bits{};

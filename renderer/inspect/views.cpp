@@ -63,6 +63,7 @@ Legend legend(View v, const Settings& s, const Bounds& bounds, const ViewStats* 
   if (!why_missing(v, s).empty()) return {};
   const ViewLook look = look_of(s.view.looks, row(v).id);
   const LegendOf of{s, bounds, shown_range(v, s, bounds, stats), stats};
+  if (look.raw) return {};  // codes are on no scale
   if (!look.plain()) return look_legend(of, look, single_number(v, look));
   if (!row(v).classes.empty()) return class_legend(row(v).classes);
   return row(v).legend ? row(v).legend(of) : Legend{};

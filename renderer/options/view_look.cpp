@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kForm =
     "write VIEW and any of :fit or :BLACK..WHITE, :CHANNELS of r g b, a colour map (:grey :viridis :magma :turbo "
-    ":diverging), :srgb or :linear; as depth:400..600:viridis";
+    ":diverging), :srgb or :linear, or :raw alone; as depth:400..600:viridis";
 
 // Of r, g, b, each once and in this order.
 bool names_channels(std::string_view text) {
@@ -41,6 +41,8 @@ std::optional<ColourMap> map_of(std::string_view text) {
 
 // False: the part means nothing, or what it says was said before.
 bool take_part(std::string_view part, ViewLook& look) {
+  if (look.raw) return false;  // the codes are shown as they are
+  if (part == "raw") return look.raw = look.plain();
   const bool ranged = look.fit || look.range;
   if (part == "fit") return !std::exchange(look.fit, true) && !ranged;
   if (const std::optional<glm::dvec2> range = range_of(part)) {
@@ -84,6 +86,7 @@ std::string text_of(const LookOf& l) {
   if (l.look.range) text += fmt::format(":{}..{}", l.look.range->x, l.look.range->y);
   if (l.look.channels != "rgb") text += ":" + l.look.channels;
   if (l.look.map != ColourMap::own) text += fmt::format(":{}", row(l.look.map).id);
+  if (l.look.raw) text += ":raw";
   if (l.look.coded) text += *l.look.coded ? ":srgb" : ":linear";
   return text;
 }

@@ -16,6 +16,7 @@ struct ViewLook {
   std::string channels = "rgb";     // those that are shown, at least one; one alone is shown as a single number
   ColourMap map = ColourMap::own;   // of a single number
   std::optional<bool> coded;        // with the display's sRGB curve, or without
+  bool raw = false;                 // the stored codes, undecoded: nothing else is said then
   bool operator==(const ViewLook&) const = default;
   bool plain() const { return *this == ViewLook{}; }
 };

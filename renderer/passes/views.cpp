@@ -136,9 +136,9 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   bind_view(frame, view);
   begin_drawing(canvas.framebuffer, s.size, {});
   const ViewLook look = look_of(s.view.looks, row(view).id);
-  const gl::Program& program = options.raw    ? use_view(frame, view, VIEW_AS_STORED)
-                               : look.plain() ? use_view(frame, view, VIEW_AS_SHOWN)
-                                              : use_look(frame, view, look);
+  const gl::Program& program = options.raw || look.raw ? use_view(frame, view, VIEW_AS_STORED)
+                               : look.plain()          ? use_view(frame, view, VIEW_AS_SHOWN)
+                                                       : use_look(frame, view, look);
   set_colours(frame, program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
   shapes_.draw_fullscreen();
   if (options.overlays) draw_overlays(view, s, scene, targets, options, canvas);

@@ -39,6 +39,9 @@ class Account {
     }
     at_ = TruthGeometry(s_, scene_, {}).at(ray, texel_);
     add_lights();
+    out_.true_position = at_.surface.position + s_.camera.position;
+    out_.depth = depth_account(s_, probe_, at_.surface.position);
+    out_.routes = position_routes(s_, probe_, at_.surface.position);
     add_stored();
     add_terms();
     return std::move(out_);

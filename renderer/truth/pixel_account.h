@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/inspect/pixel_probe.h"
+#include "renderer/truth/position_routes.h"
 #include "renderer/truth/truth_geometry.h"
 
 namespace gbl {
@@ -36,14 +37,17 @@ struct AccountLine {
 
 struct PixelAccount {
   glm::ivec2 pixel{0};
-  bool surface = false;             // of the truth
-  SeenSurface seen;                 // by the truth
-  SeenSurface shown;                // by the frame
-  bool tie = false;                 // another than the truth's, but at an edge (ties.h)
-  std::vector<AccountLine> stored;  // position, normal, albedo, ...
-  std::vector<AccountLine> terms;   // of the sum, in the order in which it is made
-  int first_off = -1;               // of the terms; -1: none
-  std::vector<LightShare> lights;   // that reach the surface, the strongest first
+  bool surface = false;         // of the truth
+  SeenSurface seen;             // by the truth
+  SeenSurface shown;            // by the frame
+  bool tie = false;             // another than the truth's, but at an edge (ties.h)
+  glm::dvec3 true_position{0};  // of a surface, in the world
+  DepthAccount depth;
+  std::vector<PositionRoute> routes;  // empty: no method of these settings reads a position
+  std::vector<AccountLine> stored;    // position, normal, albedo, ...
+  std::vector<AccountLine> terms;     // of the sum, in the order in which it is made
+  int first_off = -1;                 // of the terms; -1: none
+  std::vector<LightShare> lights;     // that reach the surface, the strongest first
 };
 
 // Where frame and reference see different surfaces, a sentence that says so; else empty.

@@ -12,16 +12,17 @@ namespace {
 TEST(ViewLook, TextsAreReadBackAsTheyAreWritten) {
   for (const char* text :
        {"depth:400..600:viridis", "normal:r", "albedo:0..0.1:linear", "final:fit", "lit:-1..1:gb:srgb",
-        "depth:1e-05..1000000.5", "position:fit:b:diverging", "albedo:600..400"})
+        "depth:1e-05..1000000.5", "position:fit:b:diverging", "albedo:600..400", "normal:raw"})
     EXPECT_EQ(text_of(parse_look(text, "here")), text);
   EXPECT_EQ(text_of(parse_look("depth:turbo:fit", "here")), "depth:fit:turbo") << "in any order";
   EXPECT_TRUE(parse_look("depth", "here").look.plain());
 }
 
 TEST(ViewLook, WhatMeansNothingIsRefusedByName) {
-  for (const char* text : {"depth:", "depth:5..5", "depth:1..", "depth:..2", "depth:red", "depth:rr", "depth:br",
-                           "depth:fit:fit", "depth:fit:1..2", "depth:1..2:3..4", "depth:srgb:linear",
-                           "depth:grey:turbo", "depth:own", "depth:nan..1", "depth:0x1..2"})
+  for (const char* text :
+       {"depth:", "depth:5..5", "depth:1..", "depth:..2", "depth:red", "depth:rr", "depth:br", "depth:fit:fit",
+        "depth:fit:1..2", "depth:1..2:3..4", "depth:srgb:linear", "depth:grey:turbo", "depth:raw:fit", "depth:fit:raw",
+        "depth:raw:raw", "depth:srgb:raw", "depth:own", "depth:nan..1", "depth:0x1..2"})
     try {
       parse_look(text, "--set view.looks");
       FAIL() << text;

@@ -49,7 +49,9 @@ class Desk {
     input.advisor = advisor;
     input.path = path;
     input.message = message, input.message_is_error = message_is_error;
-    input.probe = PixelProbe{.pixel = {123, 456}};
+    input.images = images, input.stats = stats;
+    input.account = account, input.numbers = numbers;
+    input.probe = PixelProbe{.pixel = probed_pixel, .stored = stored};
     const auto probed = [&](ProbeField field, glm::vec3 value) {
       input.probe->values[static_cast<size_t>(field)] = {value, 0};
     };
@@ -97,6 +99,12 @@ class Desk {
   const PathInput* path = nullptr;
   std::string message;
   bool message_is_error = false;
+  std::array<ViewImage, kViewCount> images;
+  std::array<const ViewStats*, kViewCount> stats{};
+  const PixelAccount* account = nullptr;
+  const PixelNumbers* numbers = nullptr;
+  glm::ivec2 probed_pixel{123, 456};
+  std::vector<StoredTexel> stored;  // of the probe
   double seconds = 0;
   std::vector<std::string> held;
 };
