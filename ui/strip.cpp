@@ -93,13 +93,21 @@ void draw_caption(FrameContext& f, const Box& room) {
   draw_paragraphs(f.painter, {{room.min.x + 3 * bar, room.min.y}, room.max}, paragraphs, 2);
 }
 
+constexpr const char* kDeferredShading =
+    "Deferred shading draws the surfaces once, into buffers. Then it lights only the pixels that each light reaches.";
+constexpr const char* kFirstKeys = "PgDn: a lesson.   H: what is this buffer?   F1: all keys.";
+
 void draw_sentences(FrameContext& f, const Box& room) {
   const ViewRow& v = row(f.chosen());
   const Preset* now = preset_of(f.settings);
   const bool start = now && std::string_view(now->id) == "start";
   std::vector<Paragraph> paragraphs{{fmt::format("{}{}{}: {}", v.key, *v.key ? "  " : "", v.label, v.sentence),
                                      theme().text, start ? f.type.body + 1 : f.type.large}};
-  if (start) paragraphs.push_back({kFirstQuestion, theme().accent, f.type.large});
+  if (start) {
+    paragraphs.insert(paragraphs.begin(), {kDeferredShading, theme().text, f.type.body + 1});
+    paragraphs.push_back({kFirstQuestion, theme().accent, f.type.large});
+    paragraphs.push_back({kFirstKeys, theme().dim, f.type.body + 1});
+  }
   draw_paragraphs(f.painter, room, paragraphs, std::round(5 * f.layout.unit));
 }
 

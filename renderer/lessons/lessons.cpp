@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <fmt/format.h>
+#include <limits>
 
 #include "renderer/base/error.h"
 #include "renderer/base/json.h"
@@ -19,6 +20,26 @@ constexpr int kLessonVersion = 1;
 constexpr std::string_view kFolder = "assets/lessons/";
 
 std::string file_name(std::string_view id) { return data_file_name(kFolder, id); }
+
+// Without one a lesson comes after those that have one.
+int order_of(const Json& json, std::string_view where) {
+  if (!json.contains("order")) return std::numeric_limits<int>::max();
+  const Json& order = json["order"];
+  if (!order.is_number_integer() || order.get<long long>() < 1 || order.get<long long>() > 9999)
+    throw Error(ExitCode::bad_input, where,
+                fmt::format("\"order\" is {}, not a whole number from 1 to 9999", order.dump()));
+  return order.get<int>();
+}
+
+// A file that cannot be read is the last one: it says why when it is opened.
+int place_of(const std::string& id) {
+  try {
+    const Json json = parse_json(resource(file_name(id)), file_name(id));
+    return order_of(json, file_name(id));
+  } catch (const Error&) {
+    return std::numeric_limits<int>::max();
+  }
+}
 
 bool large_layout(const Json& node, std::string_view where) {
   const std::string layout = text_member(node, "layout", where);
@@ -44,7 +65,14 @@ LessonStep parse_step(const Json& node, std::string_view where) {
 
 }  // namespace
 
-std::vector<std::string> lesson_ids() { return data_file_ids(kFolder); }
+std::vector<std::string> lesson_ids() {
+  std::vector<std::pair<int, std::string>> placed;
+  for (const std::string& id : data_file_ids(kFolder)) placed.emplace_back(place_of(id), id);
+  std::sort(placed.begin(), placed.end());
+  std::vector<std::string> ids;
+  for (auto& [place, id] : placed) ids.push_back(std::move(id));
+  return ids;
+}
 
 Lesson load_lesson(std::string_view id) {
   const std::vector<std::string> ids = lesson_ids();
@@ -60,7 +88,8 @@ Lesson parse_lesson(std::string_view id, std::string_view json_text) {
   const Json json = parse_json(json_text, where);
   if (!json.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");
   check_file_version(json, kLessonVersion, "lesson", where);  // first: a newer file's members would be called misspelt
-  only_members(json, {"version", "title", "preset", "steps"}, where);
+  only_members(json, {"version", "order", "title", "preset", "steps"}, where);
+  order_of(json, where);
 
   Lesson lesson;
   lesson.id = id;

@@ -1,6 +1,6 @@
 #pragma once
 // Lessons: data (assets/lessons/*.json) that the window steps through and that scripts and handouts are printed from.
-//   {"version": 1, "title": "…", "preset": "start", "steps": [{"say": "…", "set": {"lights.cull": "back"},
+//   {"version": 1, "order": 2, "title": "…", "preset": "start", "steps": [{"say": "…", "set": {"lights.cull": "back"},
 //    "view": "final", "layout": "mosaic" | "large", "question": "…", "answer": "…"}]}
 // A step's settings are the preset's with the patches of steps 0…k applied in order: a step is a pure function of
 // the file, so stepping back gives exactly what was seen.
@@ -28,7 +28,7 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-std::vector<std::string> lesson_ids();    // sorted
+std::vector<std::string> lesson_ids();    // as they are taught: by their "order", then by name
 Lesson load_lesson(std::string_view id);  // Error with the known ones; every step's patch has been tried
 Lesson parse_lesson(std::string_view id, std::string_view json_text);
 

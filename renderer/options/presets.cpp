@@ -19,6 +19,8 @@ Settings start() {
   s.camera.near = 1;
   s.camera.far = 10000;
   s.lights.count = 64;
+  s.lights.seed = 16;  // by their colours: those that meet before the camera are mint, red, orange and green
+  s.exposure = 1.8;    // the pools are bright on brown ground, and white paint is not burnt out
   s.lights.method = LightMethod::volumes;
   s.lights.cull = LightCull::flip;
   s.lights.volume = {VolumeLevel::l2, VolumeFit::circumscribed, VolumeClip::planes, VolumeDepth::none};
@@ -31,6 +33,7 @@ Settings start() {
 // The smallest layout whose error a class cannot see: nothing is blended, so half floats are rounded once.
 Settings compact() {
   Settings s = start();
+  s.lights.seed = 1, s.exposure = 1;  // as what docs/findings.md says of these two was measured
   s.layout = Layout::compact;
   s.depth.format = DepthFormat::d32f_reversed;  // the same bytes, and positions a thousand times closer far away
   s.normal.encoding = NormalEncoding::oct14;

@@ -14,8 +14,9 @@ namespace gbl {
 namespace {
 
 TEST(Lessons, TheThreeOfTheLabAreThere) {
-  const std::vector<std::string> ids = lesson_ids();
-  EXPECT_TRUE(std::is_sorted(ids.begin(), ids.end()));
+  EXPECT_EQ(lesson_ids(), (std::vector<std::string>{"what-is-in-a-g-buffer", "three-ways-to-lose-a-light",
+                                                    "learnopengl-in-three-stages"}))
+      << "as they are taught";
   const Lesson g_buffer = load_lesson("what-is-in-a-g-buffer");
   EXPECT_EQ(g_buffer.title, "What is in a G-buffer");
   EXPECT_EQ(g_buffer.steps.size(), 8u);
@@ -180,6 +181,9 @@ TEST(LessonFiles, TheHeadIsChecked) {
                  {"unknown preset", "did you mean 'start'"});
   expect_refused(file("[]", R"("version": 1, "title": "T", "preset": "start", "stps": 1)"),
                  {"unknown member \"stps\""});
+  for (const char* order : {"0", "1.5", "\"first\""})
+    expect_refused(file("[]", fmt::format(R"("version": 1, "order": {}, "title": "T", "preset": "start")", order)),
+                   {"\"order\" is", "whole number from 1"});
 }
 
 TEST(LessonFiles, UnknownLessonListsTheKnownOnes) {
