@@ -9,10 +9,7 @@
 namespace gbl::ui {
 namespace {
 
-bool message_is_shown() {
-  const ImGuiWindow* window = ImGui::FindWindowByName("message");
-  return window && window->Active;
-}
+bool message_is_shown() { return ImGui::GetForegroundDrawList()->VtxBuffer.Size > 0; }
 
 TEST(Presenting, ThePictureFillsTheWindowAndTheKeyBringsEverythingBack) {
   Desk desk;
