@@ -1,8 +1,10 @@
 // Fields of attachments: they cover every bit once, and lie where the shaders put them.
 #include "renderer/frame/stored_fields.h"
 
+#include <fmt/format.h>
 #include <functional>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "renderer/frame/attachments.h"
 #include "renderer/options/options.h"

@@ -1,4 +1,5 @@
 // The panel of Ctrl+P: its pages, its loupe.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "renderer/frame/attachments.h"

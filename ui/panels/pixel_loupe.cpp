@@ -51,7 +51,7 @@ void draw_loupe(FrameContext& f, Painter& p, const Box& box) {
 std::string loupe_numbers(FrameContext& f) {
   const View v = f.layout.main;
   const glm::ivec2 held = *f.held_pixel();
-  const std::string name = row(v).label;
+  std::string name = row(v).label;
   if (needs_truth(v) || !why_missing(v, f.stored).empty()) return name;
   if (!f.requests.numbers) f.requests.numbers = {v, PixelGrid{held, {1, 1}, {1, 1}}};
   const glm::vec4* value = number_of(f, v, held);
