@@ -56,7 +56,7 @@ void Lab::measure_now(View view) {
   meter_.take(view, true);
 }
 
-void Lab::draw_measured_view(View view, ViewOptions options) {
+void Lab::draw_measured_view(View view, const ViewOptions& options) {
   if (follows_picture(view, drawn_.view)) measure_now(view);
   if (options.overlays)
     for (const Overlay& o : drawn_.view.overlays) measure_now(view_by_id(o.view).view);

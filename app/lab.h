@@ -41,7 +41,7 @@ class Lab {
   void look_at(const Settings::View& view) { drawn_.view = view; }  // what overlays are drawn; the frame stays
   // With what is known of its numbers: `measured` works that out first, and waits for it.
   void draw_view(View, ViewOptions = {});
-  void draw_measured_view(View, ViewOptions = {});
+  void draw_measured_view(View, const ViewOptions& = {});
   bool is_main(View v) const { return drawn_.view.main == row(v).id; }  // what overlays are laid over
   void ask_stats(View v) { meter_.ask(v, renderer_, drawn_, *gpu_scene_, targets_, {}); }
   bool take_stats(View v) { return meter_.take(v, false); }  // true: a new answer

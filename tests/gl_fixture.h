@@ -138,7 +138,7 @@ struct Stage {
     renderer.collect(targets, report, true);
     return report.pairs.value();
   }
-  Image view(View v, const Settings& s, ViewOptions options = {}) {
+  Image view(View v, const Settings& s, const ViewOptions& options = {}) {
     renderer.draw_view(v, s, scene, targets, options);
     const gl::Texture& t = targets.canvases.drawn_view(v)->texture;
     return image_from_gl_rows(t.size, gl::read_rgba8(t));

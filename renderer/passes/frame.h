@@ -70,9 +70,9 @@ class Renderer {
   FrameReport render(const Settings&, const GpuScene&, Targets&);
 
   // Of the frame just drawn into these targets with the same settings and scene:
-  void draw_view(View, const Settings&, const GpuScene&, Targets&, ViewOptions = {});
+  void draw_view(View, const Settings&, const GpuScene&, Targets&, const ViewOptions& = {});
   // the view's numbers of some pixels (view_stats.h), and w = 1 where there are any, into targets.canvases.numbers()
-  void draw_numbers(View, const Settings&, const GpuScene&, Targets&, const PixelGrid&, ViewOptions = {});
+  void draw_numbers(View, const Settings&, const GpuScene&, Targets&, const PixelGrid&, const ViewOptions& = {});
   void count_pairs(const Settings&, const GpuScene&, Targets&, bool lit_too);
   // How often each of these lights was shaded at a pixel (origin top left): counted as pairs are, with that light alone.
   // Waits for the GPU.

@@ -127,7 +127,8 @@ void set_pixel_grid(const gl::Program& program, glm::ivec2 size, const PixelGrid
   glUniform4i(program.uniform("pixel_grid"), pixels.first.x, size.y - 1 - last, pixels.step.x, pixels.step.y);
 }
 
-void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets, ViewOptions options) {
+void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets,
+                         const ViewOptions& options) {
   count_for(view, s, scene, targets);
   Frame frame = frame_of(s, scene, targets);
   if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.canvases.view(view));
@@ -166,7 +167,7 @@ void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scen
 }
 
 void Renderer::draw_numbers(View view, const Settings& s, const GpuScene& scene, Targets& targets,
-                            const PixelGrid& pixels, ViewOptions options) {
+                            const PixelGrid& pixels, const ViewOptions& options) {
   count_for(view, s, scene, targets);
   Frame frame = frame_of(s, scene, targets);
   Canvas& canvas = targets.canvases.numbers(pixels.count);
