@@ -183,17 +183,20 @@ bool toggle_raw(FrameContext& f, View v) {
 
 void use_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
+  use_histogram(f);
+  if (f.state.present) return;  // without buttons
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {
     const bool pressed = hit_area(t.id, box);
     const bool right = ImGui::IsItemHovered() && ImGui::IsMouseClicked(1);
     if (pressed || right) t.press(f, v, right);
   });
-  use_histogram(f);
 }
 
 void draw_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
+  draw_histogram(f);
+  if (f.state.present) return;
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {
     f.painter.fill(box, on_picture().backing, 3);
@@ -201,7 +204,6 @@ void draw_view_tools(FrameContext& f) {
     f.painter.text({(box.min.x + box.max.x - size.x) / 2, box.min.y + 1 + above_text(f.type.small)}, f.type.small,
                    t.lit(f, v) ? on_picture().accent : on_picture().dim, t.label);
   });
-  draw_histogram(f);
 }
 
 void draw_pixel_grid(FrameContext& f, View v, const Box& picture) {

@@ -19,8 +19,7 @@ Settings start() {
   s.camera.near = 1;
   s.camera.far = 10000;
   s.lights.count = 64;
-  s.lights.seed = 16;  // by their colours: those that meet before the camera are mint, red, orange and green
-  s.exposure = 1.8;    // the pools are bright on brown ground, and white paint is not burnt out
+  s.lights.seed = 16, s.exposure = 1.8;  // the terrain's look: lights that meet before the camera have other hues
   s.lights.method = LightMethod::volumes;
   s.lights.cull = LightCull::flip;
   s.lights.volume = {VolumeLevel::l2, VolumeFit::circumscribed, VolumeClip::planes, VolumeDepth::none};

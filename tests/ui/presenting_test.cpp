@@ -25,6 +25,16 @@ TEST(Presenting, ThePictureFillsTheWindowAndTheKeyBringsEverythingBack) {
   EXPECT_EQ(desk.visible(), 8);
 }
 
+TEST(Presenting, NoButtonsStandOnThePicture) {
+  for (const bool present : {true, false}) {
+    Desk desk({1600, 900}, present);
+    desk.press("2");
+    const float right = static_cast<float>(desk.requests.picture_size.x);
+    for (float x = right - 10; x > right - 500; x -= 6) desk.click({x, 16});
+    EXPECT_EQ(desk.settings.view.looks.empty() && desk.settings.view.zoom == 1, present);
+  }
+}
+
 TEST(Presenting, HomeStaysThere) {
   Desk desk({1600, 900}, true);
   EXPECT_EQ(desk.visible(), 1);
