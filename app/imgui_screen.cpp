@@ -30,6 +30,7 @@ void ImguiScreen::draw(glm::ivec2 size, const std::function<void()>& panels) {
   ImGui::NewFrame();
   panels();
   ImGui::Render();
+  glUseProgram(0);  // ImGui puts the current program back afterwards: it may be one that is deleted by then
   glViewport(0, 0, size.x, size.y);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
