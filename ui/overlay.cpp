@@ -49,7 +49,7 @@ bool draw_text_field(FrameContext& f, const char* id, const Box& box, float px, 
                                   put ? put_text : nullptr, put);
   // ImGui looks at keys once a frame: a tap shorter than a slow frame reaches us as an event only.
   entered |= ImGui::IsItemActive() && f.state.entered;
-  if (entered) ImGui::SetWindowFocus(nullptr);
+  if (entered) ImGui::SetWindowFocus(nullptr), f.state.entered = false;
   if (wanted && ImGui::IsItemActive()) f.state.focus_field = false;
   if (wanted && (entered || ImGui::IsItemDeactivated())) f.state.field.clear();
   ImGui::PopStyleVar();

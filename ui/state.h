@@ -72,7 +72,7 @@ struct State {
 
   std::string field;         // has the keyboard, or will have it in the next frame; "" = none that a key has opened
   bool focus_field = false;  // in this frame
-  bool entered = false;      // Enter, in this frame, while something is typed
+  bool entered = false;      // Enter, while something is typed or a field is about to have the keyboard
   std::string field_key;     // Tab, Up or Down, likewise
   void type_into(const char* id) { field = id, focus_field = true; }
 

@@ -45,7 +45,7 @@ void begin_root(ImVec2 display) {
 // Keys change what the layout is made from: afterwards the frame is measured again.
 void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
-  f.state.entered = false;
+  if (!f.state.focus_field || f.state.field.empty()) f.state.entered = false;  // else the field has not seen it yet
   f.state.field_key.clear();
   for (const KeyEvent& e : keys) dispatch(f, e);
   advance_motion(f);

@@ -119,6 +119,16 @@ TEST(Panels, OneThatIsNotOnScreenHidesNoPicture) {
   EXPECT_EQ(desk.visible(), beside_options) << "the card makes way for the options";
 }
 
+TEST(Panels, EnterMayComeBeforeItsFieldHasTheKeyboard) {
+  Desk desk;
+  desk.frame({KeyEvent{"g", false, true, false}, KeyEvent{"Enter"}});
+  for (int k = 0; k < 3; ++k) desk.frame();
+  EXPECT_FALSE(desk.ui.is_open("pixel.go-to"));
+  EXPECT_EQ(desk.requests.probe, desk.settings.size / 2) << "the field's text, as it was offered";
+  desk.press("Right");
+  EXPECT_EQ(desk.requests.probe, desk.settings.size / 2 + glm::ivec2(1, 0)) << "and keys are the window's again";
+}
+
 TEST(Panels, TheTypedPixelsDialogGoesWhenItsFieldIsLeft) {
   Desk desk;
   desk.press("g", false, true);
