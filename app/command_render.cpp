@@ -16,6 +16,7 @@
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
 #include "renderer/frame/packing_svg.h"
+#include "renderer/inspect/view_buffers.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
@@ -100,6 +101,16 @@ void write_numbers16(const fs::path& path, Lab& lab, View v, PngText texts) {
   write_png16(path, lab.drawn().size, rgb, texts);
 }
 
+// What cannot be drawn as things stand is left out, and said: the same settings may be drawn by another method next.
+void check_overlays(const Settings& s) {
+  for (const Overlay& o : s.view.overlays) {
+    const View v = view_by_id(o.view).view;
+    const std::string why = why_not_over(v, s), where = fmt::format("view.overlays: {}", o.view);
+    if (needs_truth(v)) throw Error(ExitCode::bad_input, where, why);
+    if (!why.empty()) fmt::print(stderr, "gbufferlab: {}: {}\n", where, why);
+  }
+}
+
 ui::Sheet sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
   ui::Sheet sheet;
   sheet.title = "G-Buffer Lab";
@@ -136,6 +147,7 @@ ExitCode run_render(const Arguments& a) {
     for (const std::string& w : notes_of(*scene, s.lights.source))
       fmt::print(stderr, "gbufferlab: {}: {}\n", s.scene, w);
   require_valid(s, lab.limits());
+  check_overlays(s);
   const std::vector<View> shown = wanted_views(a, s);
   const std::string all = a.only.empty() ? "" : fmt::format(" --only {}", a.only);
   const fs::path folder = a.output.value_or("out");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
+#include "renderer/inspect/view_buffers.h"
 #include "ui/style.h"
 #include "ui/view_panel.h"
 
@@ -42,7 +43,7 @@ std::vector<OverlayLegend> overlay_legends(View under, const Settings& s, const 
   for (auto o = s.view.overlays.rbegin(); o != s.view.overlays.rend(); ++o) {
     const View v = view_by_id(o->view).view;
     if (v == under) continue;
-    const std::string why = why_missing(v, s);
+    const std::string why = why_not_over(v, s);
     OverlayLegend one{fmt::format("{} {:.0f} %", row(v).label, 100 * o->opacity), why, {}};
     if (why.empty()) {
       one.words = marked_in_words(v, in.stats[static_cast<size_t>(v)]);

@@ -120,6 +120,13 @@ std::string split_light_missing(const Settings& s) {
   return "all light goes into one target; accumulation.targets=split keeps diffuse and specular apart";
 }
 
+std::string why_not_over(View v, const Settings& s) {
+  if (needs_truth(v))
+    return fmt::format("{} is not laid over others: it needs the reference; compare A with the truth instead",
+                       row(v).label);
+  return why_missing(v, s);
+}
+
 std::string error_missing(const Settings& s) {
   const bool no_roughness = s.view.error.of == ErrorOf::roughness && !facts(s.layout).stores_roughness();
   return no_roughness ? facts(s.layout).roughness_missing : why_missing(shown_by(s.view.error.of), s);

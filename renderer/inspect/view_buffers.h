@@ -37,4 +37,7 @@ std::string cells_missing(const Settings&);
 std::string split_light_missing(const Settings&);
 std::string error_missing(const Settings&);
 
+// Why it cannot be laid over another view under these settings; empty: it can.
+std::string why_not_over(View, const Settings&);
+
 }  // namespace gbl

@@ -57,6 +57,9 @@ TEST(OverlaysPanel, LegendsNameEachAndSayWhatItMarks) {
   EXPECT_EQ(all[0].name, "tile edges 100 %") << "the topmost first";
   EXPECT_NE(all[0].words.find("neither tiles nor clusters"), std::string::npos);
   EXPECT_EQ(all[1].legend.entries.size(), std::size(kFootprintClasses) - 1) << "what it leaves alone has no colour";
+  desk.settings.view.overlays = {{"error", 1}};
+  EXPECT_NE(overlay_legends(View::final, desk.settings, in)[0].words.find("needs the reference"), std::string::npos);
+  desk.settings.view.overlays = {{"footprint", 0.5}, {"tile-edges", 1}};
   EXPECT_TRUE(overlay_legends(View::footprint, desk.settings, in).size() == 1) << "none lies over itself";
 }
 
