@@ -9,7 +9,7 @@
 namespace gbl::ui {
 namespace {
 
-constexpr double kTurn_deg = 6, kNearer = 0.8;
+constexpr double kTurnDegrees = 6, kNearer = 0.8;
 
 enum class Target { light, near_plane, scene };
 constexpr const char* kTargets[] = {"the picked light and the camera", "the camera's near plane", "the whole scene"};
@@ -71,10 +71,10 @@ std::string in_words(const FrameContext& f) {
 
 void turn(FrameContext& f, const KeyEvent& e) {
   OutsideState& s = f.state.of<OutsideState>();
-  if (e.key == "Left") s.yaw_deg -= kTurn_deg;
-  if (e.key == "Right") s.yaw_deg += kTurn_deg;
-  if (e.key == "Up") s.pitch_deg = std::max(-89.0, s.pitch_deg - kTurn_deg);
-  if (e.key == "Down") s.pitch_deg = std::min(89.0, s.pitch_deg + kTurn_deg);
+  if (e.key == "Left") s.yaw_deg -= kTurnDegrees;
+  if (e.key == "Right") s.yaw_deg += kTurnDegrees;
+  if (e.key == "Up") s.pitch_deg = std::max(-89.0, s.pitch_deg - kTurnDegrees);
+  if (e.key == "Down") s.pitch_deg = std::min(89.0, s.pitch_deg + kTurnDegrees);
 }
 void go_nearer(FrameContext& f, const KeyEvent& e) {
   f.state.of<OutsideState>().scale *= e.key == "PgUp" ? kNearer : 1 / kNearer;
