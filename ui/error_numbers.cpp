@@ -42,8 +42,9 @@ void draw_stats(FrameContext& f, const Box& panel, const ErrorStats& stats) {
           : fmt::format("worst pixel {}, {} (J holds it)   pixels by error, log count:", stats.worst.x, stats.worst.y);
   const float histogram = px * 14;
   const float width = std::max(text_size(text, px).x, text_size(worst, px).x + pad + histogram) + 2 * pad;
-  const Box back{{panel.max.x - std::min(width, panel.width() - 8) - 4, panel.min.y + 4},
-                 {panel.max.x - 4, panel.min.y + 4 + 3 * line + 2 * pad}};
+  const float top = panel.min.y + 10 + line_height(f.type.small);  // below the buttons
+  const Box back{{panel.max.x - std::min(width, panel.width() - 8) - 4, top},
+                 {panel.max.x - 4, top + 3 * line + 2 * pad}};
   f.painter.fill(back, on_picture().backing);
   const Box room = back.inset(pad);
   f.painter.text_in({room.min, {room.max.x, room.min.y + line}}, px, on_picture().text, text);

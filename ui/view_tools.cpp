@@ -21,6 +21,7 @@ struct Tool {
   bool (*lit)(const FrameContext&, View);
   void (*press)(FrameContext&, View, bool right);
   bool three_channels = false;  // only where there are so many
+  bool of_truth = false;        // on the error and the reference, too
 };
 
 ViewLook look_now(const FrameContext& f, View v) { return look_of(f.settings.view.looks, row(v).id); }
@@ -60,6 +61,10 @@ void press_fit(FrameContext& f, View v, bool right) {
 }
 
 const Tool kTools[] = {
+    {"error", "tool.error", [](const FrameContext&, View v) { return v == View::error; },
+     [](FrameContext& f, View, bool) { show_view(f, View::error); }, false, true},
+    {"why", "tool.why", [](const FrameContext& f, View) { return is_open(f.state, "pixel"); },
+     [](FrameContext& f, View, bool) { press_panel(f, panel("pixel"), {}); }, false, true},
     {"R", "tool.r", channel_lit<'r'>, press_channel<'r'>, true},
     {"G", "tool.g", channel_lit<'g'>, press_channel<'g'>, true},
     {"B", "tool.b", channel_lit<'b'>, press_channel<'b'>, true},
@@ -78,7 +83,7 @@ const Tool kTools[] = {
 
 bool tools_shown(const FrameContext& f) {
   const View v = f.layout.main;
-  return !f.state.hidden && !needs_truth(v) && why_missing(v, f.stored).empty() && !covered(f, f.layout.main_box());
+  return !f.state.hidden && why_missing(v, f.stored).empty() && !covered(f, f.layout.main_box());
 }
 
 // Right to left along the top edge of the large picture.
@@ -88,6 +93,7 @@ void for_each_tool(const FrameContext& f, Each each) {
   const float px = f.type.small, pad = std::round(px * 0.45f), height = line_height(px) + 2;
   float right = panel.max.x - std::max(4.0f, std::round(panel.width() / 200));
   for (auto t = std::rbegin(kTools); t != std::rend(kTools); ++t) {
+    if (needs_truth(f.layout.main) && !t->of_truth) continue;
     if (t->three_channels && row(f.layout.main).values.components != 3) continue;
     const float width = text_size(t->label, px).x + 2 * pad;
     each(*t, Box{{right - width, panel.min.y + 4}, {right, panel.min.y + 4 + height}});
@@ -183,7 +189,7 @@ bool toggle_raw(FrameContext& f, View v) {
 
 void use_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
-  use_histogram(f);
+  if (!needs_truth(f.layout.main)) use_histogram(f);
   if (f.state.present) return;  // without buttons
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {
@@ -195,7 +201,7 @@ void use_view_tools(FrameContext& f) {
 
 void draw_view_tools(FrameContext& f) {
   if (!tools_shown(f)) return;
-  draw_histogram(f);
+  if (!needs_truth(f.layout.main)) draw_histogram(f);
   if (f.state.present) return;
   const View v = f.layout.main;
   for_each_tool(f, [&](const Tool& t, const Box& box) {

@@ -307,6 +307,22 @@ TEST(Looks, KeysChangeTheLargeView) {
   EXPECT_TRUE(desk.settings.view.looks.empty());
 }
 
+// From the picture to why a pixel is wrong, with the mouse alone: error, a pixel of it, why.
+TEST(Looks, ErrorAndWhyAreButtons) {
+  Desk desk;
+  const auto press_until = [&](auto done) {
+    const float right = static_cast<float>(desk.requests.picture_size.x);
+    for (float x = right - 6; x > right / 4 && !done(); x -= 6) desk.click({x, 12});
+    return done();
+  };
+  EXPECT_TRUE(press_until([&] { return desk.settings.view.main == "error"; }));
+  desk.click({300, 300});
+  EXPECT_TRUE(desk.requests.probe);
+  EXPECT_TRUE(press_until([&] { return desk.ui.is_open("pixel"); }));
+  desk.frame();
+  EXPECT_TRUE(desk.requests.account);
+}
+
 // The buttons at the right end of the picture's upper edge, from the right: fit, 1:1, histogram, range, map, B, G, R.
 TEST(Looks, ButtonsStandAboveThePictureAndDoNotHoldPixels) {
   Desk desk;
