@@ -58,7 +58,8 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   CLI::Option* json = command == "view" ? nullptr : app.add_flag("--json", a.json, "machine-readable output");
   if (command == "render") {
     app.add_option("-o,--output", a.output, "folder for the pictures, made if need be (default: out)");
-    app.add_option("--only", a.only, "views, comma-separated (list views); default: all that are stored");
+    app.add_option("--only", a.only,
+                   "views, comma-separated (list views); default: those that have a key and are stored");
     app.add_flag("--raw", a.raw, "also NAME.raw.png: the stored codes, undecoded");
     app.add_flag("--png16", a.png16, "also VIEW.16.png: the numbers between the view's black and white in 16 bits");
     app.add_flag("--exr", a.exr, "also layers.exr: the numbers of all these views, as floats");

@@ -101,14 +101,17 @@ void write_numbers16(const fs::path& path, Lab& lab, View v, PngText texts) {
   write_png16(path, lab.drawn().size, rgb, texts);
 }
 
-// What cannot be drawn as things stand is left out, and said: the same settings may be drawn by another method next.
-void check_overlays(const Settings& s) {
-  for (const Overlay& o : s.view.overlays) {
-    const View v = view_by_id(o.view).view;
-    const std::string why = why_not_over(v, s), where = fmt::format("view.overlays: {}", o.view);
-    if (needs_truth(v)) throw Error(ExitCode::bad_input, where, why);
-    if (!why.empty()) fmt::print(stderr, "gbufferlab: {}: {}\n", where, why);
-  }
+void refuse_truth_as_overlay(const Settings& s) {
+  for (const Overlay& o : s.view.overlays)
+    if (const View v = view_by_id(o.view).view; needs_truth(v))
+      throw Error(ExitCode::bad_input, fmt::format("view.overlays: {}", o.view), why_not_over(v, s));
+}
+
+// What this frame does not have is left out, and said: the same settings may be drawn by another method next.
+void say_missing_overlays(const Settings& drawn) {
+  for (const Overlay& o : drawn.view.overlays)
+    if (const std::string why = why_not_over(view_by_id(o.view).view, drawn); !why.empty())
+      fmt::print(stderr, "gbufferlab: view.overlays: {}: {}\n", o.view, why);
 }
 
 ui::Sheet sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
@@ -147,13 +150,14 @@ ExitCode run_render(const Arguments& a) {
     for (const std::string& w : notes_of(*scene, s.lights.source))
       fmt::print(stderr, "gbufferlab: {}: {}\n", s.scene, w);
   require_valid(s, lab.limits());
-  check_overlays(s);
+  refuse_truth_as_overlay(s);
   const std::vector<View> shown = wanted_views(a, s);
   const std::string all = a.only.empty() ? "" : fmt::format(" --only {}", a.only);
   const fs::path folder = a.output.value_or("out");
   make_folder(folder);
   announce(lab, s);
   lab.draw(s);
+  say_missing_overlays(lab.report().drawn);
   lab.count_pairs(double(s.size.x) * s.size.y * lab.report().light_count <= kMostLitTests);
   const std::string command = command_of(a);
   const auto texts = [&](const std::string& options) { return picture_texts(command + options, s, lab.machine()); };

@@ -83,14 +83,13 @@ void Comparer::draw_b(View main) {
                              .overlays = !asked_->difference});
 }
 
-const gl::Texture* Comparer::picture_of_b(View main) {
+const gl::Texture* Comparer::picture_of_b(View main, bool truth_drawn) {
   switch (asked_->what) {
     case ui::BesideA::settings: draw_b(main); return &targets_->canvases.drawn_view(main)->texture;
     case ui::BesideA::picture: open_picture(); return &*picture_;
     case ui::BesideA::truth: break;
   }
-  const Canvas* truth = lab_.targets().canvases.drawn_view(View::reference);
-  if (truth && lab_.truth_progress() >= 1) return &truth->texture;
+  if (truth_drawn) return &lab_.targets().canvases.drawn_view(View::reference)->texture;
   shown_.missing = fmt::format("working out the reference: {:.0f} %", 100 * lab_.truth_progress());
   waiting_ = true;
   return nullptr;
@@ -125,7 +124,7 @@ void Comparer::take_stats() {
   shown_.legend.apart.clear();  // every pixel is compared
 }
 
-void Comparer::update(const std::optional<ui::CompareRequest>& wanted, View main, bool a_drawn) {
+void Comparer::update(const std::optional<ui::CompareRequest>& wanted, View main, bool a_drawn, bool truth_drawn) {
   waiting_ = false;
   if (!wanted) {
     asked_.reset(), targets_.reset(), picture_.reset(), opened_.clear(), read_.drop();
@@ -142,7 +141,7 @@ void Comparer::update(const std::optional<ui::CompareRequest>& wanted, View main
                     "choose another view");
       if (wanted->what == ui::BesideA::truth && main != View::final)
         throw Error(ExitCode::bad_input, "B", "is the truth's finished picture", "1 shows A's");
-      const gl::Texture* b = picture_of_b(main);
+      const gl::Texture* b = picture_of_b(main, truth_drawn);
       shown_.b = b ? ui::ViewImage{b->id(), b->size} : ui::ViewImage{};
       const glm::ivec2 size = lab_.drawn().size;
       if (b && b->size != size)

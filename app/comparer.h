@@ -11,14 +11,15 @@ namespace gbl {
 class Comparer {
  public:
   explicit Comparer(Lab& lab) : lab_(lab) {}
-  // Once a frame, after A's views are drawn. `a_drawn`: the main view's picture is another one than in the last frame.
-  void update(const std::optional<ui::CompareRequest>&, View main, bool a_drawn);
+  // Once a frame, after A's views are drawn. `a_drawn`: the main view's picture is another one than in the last frame;
+  // `truth_drawn`: the reference's is of this frame.
+  void update(const std::optional<ui::CompareRequest>&, View main, bool a_drawn, bool truth_drawn);
   const ui::CompareInput* input() const { return asked_ ? &shown_ : nullptr; }
   bool waiting() const { return waiting_; }
 
  private:
   void draw_b(View);
-  const gl::Texture* picture_of_b(View);  // null, and `missing` says why
+  const gl::Texture* picture_of_b(View, bool truth_drawn);  // null, and `missing` says why
   void open_picture();
   void find_difference(View, const gl::Texture& b);
   void take_stats();

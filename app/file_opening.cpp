@@ -104,7 +104,7 @@ Settings read_state(const std::string& file) {
 }
 
 bool has_known_ending(const std::string& file) {
-  constexpr std::string_view kEndings[] = {".gltf", ".glb", ".json", ".png"};
+  constexpr std::string_view kEndings[] = {".gltf", ".glb", ".json", ".png", ".exr"};
   return std::find(std::begin(kEndings), std::end(kEndings), ending_of(file)) != std::end(kEndings);
 }
 

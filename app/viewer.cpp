@@ -286,7 +286,8 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
     main_drawn_ = false;
     draw_locked(requests, changed && ready);
     draw_views(s, requests, changed && ready);
-    comparer_.update(requests.compare, view_by_id(s.view.main).view, main_drawn_);
+    comparer_.update(requests.compare, view_by_id(s.view.main).view, main_drawn_,
+                     fresh_[static_cast<size_t>(View::reference)]);
     draw_outside(requests);
     lab_.show_squares(requests.magnified);
     ask_numbers(requests, changed && ready);

@@ -60,26 +60,14 @@ void choose(FrameContext& f, const Option& o, const std::vector<std::string>& id
     edit_option(f, o, OptionList(ids.begin(), ids.end()));
 }
 
-void toggle(FrameContext& f, const Option& o, const std::string& id) {
-  std::vector<std::string> ids = chosen_ids(o, f.settings);
-  if (o.kind == Kind::text)
-    ids = {id};
-  else if (among(ids, id))
-    ids.erase(std::find(ids.begin(), ids.end(), id));
-  else
-    ids.push_back(id);
-  choose(f, o, ids);
-}
-
+// The first by its label, and how many more.
 std::string now_in_words(const Option& o, const Settings& s) {
-  std::string text;
   const std::vector<std::string> ids = chosen_ids(o, s);
-  for (const std::string& id : ids) {
-    const std::vector<ClosedItem> items = closed_items(o);
-    const auto item = std::find_if(items.begin(), items.end(), [&](const ClosedItem& i) { return i.id == id; });
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", item == items.end() ? id : item->label);
-  }
-  return text.empty() ? "none" : text;
+  if (ids.empty()) return "none";
+  const std::vector<ClosedItem> items = closed_items(o);
+  const auto item = std::find_if(items.begin(), items.end(), [&](const ClosedItem& i) { return i.id == ids[0]; });
+  const std::string first = item == items.end() ? ids[0] : item->label;
+  return ids.size() == 1 ? first : fmt::format("{} and {} more", first, ids.size() - 1);
 }
 
 }  // namespace
@@ -88,6 +76,17 @@ std::vector<ClosedItem> closed_items(const Option& o) {
   for (const ClosedSet& s : kSets)
     if (std::string_view(s.path) == o.path) return s.items();
   return {};
+}
+
+void toggle_closed(FrameContext& f, const Option& o, const std::string& id) {
+  if (o.kind == Kind::text) return edit_option(f, o, id);
+  OptionList parts = std::get<OptionList>(o.get(f.settings));
+  const std::vector<std::string> ids = chosen_ids(o, f.settings);
+  if (const auto at = std::find(ids.begin(), ids.end(), id); at != ids.end())
+    parts.erase(parts.begin() + (at - ids.begin()));
+  else
+    parts.emplace_back(id);
+  edit_option(f, o, parts);
 }
 
 void step_closed(FrameContext& f, const Option& o, int step) {
@@ -107,9 +106,9 @@ void step_closed(FrameContext& f, const Option& o, int step) {
 
 void draw_closed(FrameContext& f, const Option& o, const Box& place, float px) {
   const Box box{{std::floor(place.min.x), std::floor(place.min.y)}, {std::floor(place.max.x), std::floor(place.max.y)}};
-  std::string now = now_in_words(o, f.settings);
-  const float pad = std::round(px * 0.5f), room = box.width() - box.height() - 2 * pad;
-  while (now.size() > 4 && text_size(now, px).x > room) now = now.substr(0, now.size() - 4) + "…";
+  const std::string now = now_in_words(o, f.settings);
+  const float pad = std::round(px * 0.5f);
+  px = f.painter.fit(now, {box.width() - box.height() - 2 * pad, box.height()}, px, false);
   const FontScope font(px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, std::floor((box.height() - px) / 2)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
@@ -121,7 +120,8 @@ void draw_closed(FrameContext& f, const Option& o, const Box& place, float px) {
     for (const ClosedItem& item : closed_items(o)) {
       const bool on = among(ids, item.id);
       const std::string text = fmt::format("{}{}", set ? (on ? "✓ " : "    ") : "", item.label);
-      if (ImGui::Selectable(text.c_str(), on, set ? ImGuiSelectableFlags_DontClosePopups : 0)) toggle(f, o, item.id);
+      if (ImGui::Selectable(text.c_str(), on, set ? ImGuiSelectableFlags_DontClosePopups : 0))
+        toggle_closed(f, o, item.id);
       if (ImGui::IsItemHovered()) {
         ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - 4, ImGui::GetItemRectMin().y}, ImGuiCond_Always, {1, 0});
         ImGui::BeginTooltip();

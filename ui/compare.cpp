@@ -68,7 +68,7 @@ void draw_image(FrameContext& f, const ViewImage& image, const Box& box) {
                             {first.x, 1 - first.y}, {last.x, 1 - last.y});
 }
 
-// At the lower edge: left of `right_end`, or from `left` on.
+// Above the lower edge, at one of its ends.
 void draw_label(FrameContext& f, const Box& room, bool at_right, const std::string& text) {
   float px = f.type.body;
   const float pad = std::round(px * 0.4f);
@@ -151,13 +151,16 @@ void draw_difference(FrameContext& f, const Box& panel, const CompareInput& in) 
 
 }  // namespace
 
+bool compared(const Option& o) {
+  const std::string_view path = o.path;
+  return !path.starts_with("camera") && !path.starts_with("view.") && path != "time_s" && path != "size";
+}
+
 std::string differences(const Settings& of, const Settings& than) {
   std::string text;
   int more = 0, named = 0;
   for (const Option& o : options()) {
-    const std::string_view path = o.path;
-    if (path.starts_with("camera") || path.starts_with("view.") || path == "time_s" || path == "size") continue;
-    if (o.get(of) == o.get(than)) continue;
+    if (!compared(o) || o.get(of) == o.get(than)) continue;
     if (named == kNamed) {
       ++more;
       continue;
@@ -190,7 +193,7 @@ void flip(FrameContext& f, const KeyEvent&) {
   if (!find_b(f)) return;
   Settings now = f.settings;
   share_view(now, *c.other);
-  f.settings = *c.other;
+  if (!replace_settings(f, *c.other)) return;
   c.other = std::move(now);
   c.b_drawn = !c.b_drawn;
   f.state.history.pass_over(f.settings);
@@ -218,7 +221,7 @@ void flip_to_cure(FrameContext& f, const KeyEvent& e) {
     c.other = cured(f.settings);
   }
   flip(f, e);
-  f.state.caption->sentence.text += " X goes back to what fails.";
+  if (f.state.caption) f.state.caption->sentence.text += " X goes back to what fails.";
 }
 
 Box box_of_a(const FrameContext& f, const Box& panel) {

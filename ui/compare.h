@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/options/options.h"
 #include "ui/compare_io.h"
 #include "ui/text.h"
 #include "ui/zoom.h"
@@ -26,6 +27,8 @@ struct Comparison {
   bool has_b() const { return other || what != BesideA::settings; }
 };
 
+// Is it part of what A and B are? What they share and what is looked at is not.
+bool compared(const Option&);
 // What A and B differ in: "Cull: back", "Normal: oct8, Lights: 8 and 2 more"; the values of `of`.
 std::string differences(const Settings& of, const Settings& than);
 

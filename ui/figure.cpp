@@ -26,9 +26,14 @@ std::string method_in_words(const FrameReport& r) {
   return fmt::format("{} ({}: {})", row(r.drawn.lights.method).label, row(LightMethod::auto_).label, r.method_reason);
 }
 
+// The chosen panel, or the large one where that is not on screen.
+View saved_view(const FrameContext& f) {
+  const std::optional<Box>& chosen = f.layout.panels[static_cast<size_t>(f.chosen())];
+  return chosen && !covered(f, *chosen) ? f.chosen() : f.layout.main;
+}
+
 // What is seen of the panel: the view, and how it is looked at.
-std::string shown_in_words(const FrameContext& f) {
-  const View v = f.layout.main;
+std::string shown_in_words(const FrameContext& f, View v) {
   std::string text = fmt::format("{}: {}", row(v).label, row(v).sentence);
   const ViewLook look = look_of(f.settings.view.looks, row(v).id);
   if (!look.plain()) text += fmt::format(" Looked at as {}.", text_of(LookOf{row(v).id, look}));
@@ -39,10 +44,11 @@ std::string shown_in_words(const FrameContext& f) {
   return text;
 }
 
-std::string overlays_in_words(const FrameContext& f) {
+std::string overlays_in_words(const FrameContext& f, View v) {
   std::string text;
-  if (f.state.comparison.mode == CompareMode::difference) return text;  // it is one of what lies below them
-  for (const OverlayLegend& o : overlay_legends(f.layout.main, f.stored, f.input))
+  const bool difference = v == f.layout.main && f.state.comparison.mode == CompareMode::difference;
+  if (v != f.chosen() || difference) return text;  // a difference is one of what lies below them
+  for (const OverlayLegend& o : overlay_legends(v, f.stored, f.input))
     text += fmt::format("{}{}{}{}", text.empty() ? "Over it: " : "; ", o.name, o.words.empty() ? "" : ": ", o.words);
   return text;
 }
@@ -71,14 +77,16 @@ void save_window(FrameContext& f, const KeyEvent&) { f.requests.figure = Figure{
 void ask_figure(FrameContext& f) {
   if (!f.state.saving_panel) return;
   f.state.saving_panel = false;
-  const Box& panel = f.layout.main_box();
+  const View v = saved_view(f);
+  const Box& panel = *f.layout.panels[static_cast<size_t>(v)];
   Figure figure;
   figure.first = {static_cast<int>(panel.min.x), static_cast<int>(panel.min.y)};
   figure.size = {static_cast<int>(panel.width()), static_cast<int>(panel.height())};
   figure.white = f.state.figures_on_white();
-  figure.caption = {shown_in_words(f)};
-  if (const std::string compared = comparison_in_words(f); !compared.empty()) figure.caption.push_back(compared);
-  if (const std::string over = overlays_in_words(f); !over.empty()) figure.caption.push_back(over);
+  figure.caption = {shown_in_words(f, v)};
+  if (const std::string both = comparison_in_words(f); v == f.layout.main && !both.empty())
+    figure.caption.push_back(both);
+  if (const std::string over = overlays_in_words(f, v); !over.empty()) figure.caption.push_back(over);
   std::string unsound;
   for (const Unsound& u : unsound_choices(f.settings))
     unsound += fmt::format("{}{}={} ({})", unsound.empty() ? "" : ", ", u.path, u.value, u.pitfall);

@@ -10,10 +10,10 @@ class History {
  public:
   // Once a frame, before anything is changed in it.
   void see(const Settings&);
-  // True: there was a step back or forward, and the settings are those now.
   // A change that is none to take back: between A and B.
   void pass_over(const Settings& now) { seen_ = now, changing_ = false; }
   const Settings* last() const { return past_.empty() ? nullptr : &past_.back(); }  // before the last change
+  // True: there was a step back or forward, and the settings are those now.
   bool undo(Settings&);
   bool redo(Settings&);
 

@@ -43,7 +43,8 @@ void use_titles(FrameContext& f) {
     const float px = i == 0 ? f.type.body : f.type.small;
     if (box.width() <= 0 || covered(f, box)) continue;
     const Box title{box.min, {box.min.x + std::min(box.width() * 0.4f, 12 * px), box.min.y + line_height(px) + 2}};
-    hit_area(fmt::format("title.{}", i).c_str(), title);
+    if (hit_area(fmt::format("title.{}", i).c_str(), title) && io.MouseDragMaxDistanceSqr[0] <= 100)
+      f.settings.view.main = view_by_id(panels[i].view).id;
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemActive() && io.MouseDragMaxDistanceSqr[0] > 100) s.carried = i;
   }
@@ -52,6 +53,8 @@ void use_titles(FrameContext& f) {
   const size_t from = *s.carried;
   s.carried.reset();
   if (!onto || *onto == from) return;
+  if (!panels[std::max(from, *onto)].look.plain() && std::min(from, *onto) == 0)
+    return say(f, {"A locked panel cannot be the large one. Ctrl+K unlocks it.", ""});
   f.settings.view.panels = panels;
   std::swap(f.settings.view.panels[from], f.settings.view.panels[*onto]);
   if (f.settings.view.panels == usual_panels()) f.settings.view.panels.clear();

@@ -128,7 +128,7 @@ void draw_panel(FrameContext& f, View v, const Box& panel) {
   look.zoom = zoom_of(f, v);
   if (v == f.layout.main) look.foot = f.layout.foot;
   if (v == f.chosen()) look.overlays = overlay_legends(v, f.stored, f.input);
-  look.chosen = !f.state.large && !f.state.hidden && v == f.chosen() && v != View::final;
+  look.chosen = !f.state.large && !f.state.hidden && !f.state.saving_panel && v == f.chosen() && v != View::final;
   const Box own = v == f.layout.main ? box_of_a(f, panel) : panel;
   draw_view_panel(f.painter, own, v, image, f.stored, legend_now(v, f.stored, f.input), look);
   if (v == f.layout.main) draw_comparison(f, panel);

@@ -148,7 +148,7 @@ void open_lesson(State&, Settings&, Lesson);     // at its first step
 void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
 void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
 
-void ask_figure(FrameContext&);  // of the main panel, if a key has asked for it
+void ask_figure(FrameContext&);  // of the chosen panel, if a key has asked for it
 
 // ---- looking closely (view_tools.cpp) --------------------------------------------------------------
 Zoom zoom_of(const FrameContext&, View);

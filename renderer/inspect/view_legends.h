@@ -70,8 +70,7 @@ extern const glm::vec3 kLightCountPalette[kLightCountColours];
 
 // Okabe and Ito 2008, "Color Universal Design": told apart by those who see red and green alike.
 inline constexpr glm::vec3 kMarkBlue{0.0f, 0.45f, 0.70f}, kMarkSky{0.34f, 0.71f, 0.91f}, kMarkGreen{0.0f, 0.62f, 0.45f},
-    kMarkYellow{0.94f, 0.89f, 0.26f}, kMarkOrange{0.90f, 0.62f, 0.0f}, kMarkRed{0.84f, 0.37f, 0.0f},
-    kMarkPink{0.80f, 0.47f, 0.65f};
+    kMarkYellow{0.94f, 0.89f, 0.26f}, kMarkOrange{0.90f, 0.62f, 0.0f}, kMarkPink{0.80f, 0.47f, 0.65f};
 inline constexpr int kMostClasses = 6;
 inline constexpr ViewClass kFootprintClasses[] = {{"outside", kNoLight},
                                                   {"covered, out of range", kMarkYellow},

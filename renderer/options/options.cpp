@@ -142,6 +142,9 @@ std::vector<LookOf> checked_panels(const Option& o, const OptionValue& v) {
     out.push_back(parse_look(checked_text(o, part), o.path));
     out.back().view = known_view(o, out.back().view);
   }
+  if (!out.empty() && !out[0].look.plain())
+    throw Error(ExitCode::bad_input, o.path, fmt::format("'{}': the first panel is the large one", text_of(out[0])),
+                "give its look in view.looks, or lock a later panel");
   return out;
 }
 

@@ -74,7 +74,7 @@ void write_exr(const std::filesystem::path& path, glm::ivec2 size, const std::ve
 }
 
 ExrPicture read_exr(const std::filesystem::path& path) {
-  constexpr int kMostPixels = 1 << 27;
+  constexpr int64_t kMostAcross = 16384;  // pixels: as for a PNG
   const auto refuse = [&](const std::string& what) {
     return Error(ExitCode::bad_input, path.string(), what, "give an OpenEXR file with channels R, G and B");
   };
@@ -82,7 +82,7 @@ ExrPicture read_exr(const std::filesystem::path& path) {
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width * height > kMostPixels)
+    if (width < 1 || height < 1 || width > kMostAcross || height > kMostAcross)
       throw refuse(fmt::format("is {} x {} pixels large", width, height));
     ExrPicture out{{static_cast<int>(width), static_cast<int>(height)}, {}};
     out.rgb.resize(static_cast<size_t>(width * height));

@@ -120,6 +120,17 @@ TEST_F(Comparing, TheTruthIsTheReferencesPicture) {
   EXPECT_NE(compare(a, {.what = ui::BesideA::truth}, View::normal).missing, "");
 }
 
+TEST_F(Comparing, NoOldTruthStandsBesideANewFrame) {
+  Settings a = yard_settings();
+  compare(a, {.what = ui::BesideA::truth});
+  a.camera.position.x += 3;
+  ui::Requests r = showing({View::final, View::reference});
+  r.compare = ui::CompareRequest{.what = ui::BesideA::truth};
+  update(a, r, true);
+  EXPECT_EQ(viewer_->input(0).compare->b.texture, 0u) << "while the camera moves none is made";
+  EXPECT_NE(viewer_->input(0).compare->missing, "");
+}
+
 TEST_F(Comparing, BThatCannotBeDrawnIsSaidAndAStays) {
   const Settings a = yard_settings();
   Settings b = a;

@@ -147,7 +147,11 @@ TEST(Keys, EachKeyIsInOneRowAndEachRowHasAHelp) {
 TEST(Keys, ARequestLastsOneFrame) {
   Desk desk;
   EXPECT_TRUE(desk.press("F5").reload_shaders);
-  EXPECT_TRUE(desk.press("F12").figure);
+  desk.settings.view.main = "depth";  // a small panel of the mosaic
+  const Requests figure = desk.press("F12");
+  ASSERT_TRUE(figure.figure);
+  EXPECT_EQ(figure.figure->size.x, 400) << "the chosen panel";
+  EXPECT_NE(figure.figure->caption[0].find("depth"), std::string::npos);
   EXPECT_FALSE(desk.frame().figure);
 }
 

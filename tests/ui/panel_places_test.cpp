@@ -1,6 +1,7 @@
 // Panels change places by their titles, are locked in a look of their own, and closed sets are never typed.
 #include <gtest/gtest.h>
 
+#include "renderer/base/error.h"
 #include "tests/ui/ui_desk.h"
 #include "ui/closed_sets.h"
 
@@ -52,6 +53,20 @@ TEST(PanelPlaces, ALockedPanelKeepsItsLookWhileTheViewIsLookedAtOtherwise) {
   EXPECT_TRUE(desk.settings.view.panels.empty());
 }
 
+TEST(PanelPlaces, AClickOnATitleChoosesAndALockedPanelIsNeverTheLargeOne) {
+  Desk desk;
+  desk.click({830, 8});
+  EXPECT_EQ(desk.settings.view.main, "albedo");
+  desk.press("k", false, true);
+  desk.frame();
+  const std::vector<LookOf> locked = desk.settings.view.panels;
+  ASSERT_FALSE(locked.empty());
+  drag(desk, {830, 458}, {300, 200});
+  EXPECT_EQ(desk.settings.view.panels, locked);
+  const Option& o = option("view.panels");
+  EXPECT_THROW(o.set(desk.settings, OptionList{"depth:0..50"}, o), Error);
+}
+
 TEST(PanelPlaces, OneViewMayStandTwice) {
   Desk desk;
   desk.settings.view.panels = {parse_look("final", ""), parse_look("depth", ""), parse_look("depth:0..50:turbo", ""),
@@ -84,6 +99,24 @@ TEST(ClosedSets, AreSteppedThroughByTheirLetterAndNeverTyped) {
     desk.press("Esc");
   }
   EXPECT_TRUE(closed_items(option("ambient")).empty());
+}
+
+TEST(ClosedSets, OneThatIsSwitchedLeavesTheOthersStrength) {
+  Desk desk;
+  State state(desk.settings, false);
+  const std::vector<Light> lights;
+  const Input input{.scene = desk.scene, .lights = lights, .features = {}, .report = desk.report};
+  Requests requests;
+  std::vector<std::string> cut;
+  ImDrawList list(ImGui::GetDrawListSharedData());
+  FrameContext f{state, desk.settings, input, requests, {}, type_for(1), Painter(list, cut)};
+  desk.settings.view.overlays = {{"footprint", 0.25}};
+  toggle_closed(f, option("view.overlays"), "wire");
+  ASSERT_EQ(desk.settings.view.overlays.size(), 2u);
+  EXPECT_EQ(text_of(desk.settings.view.overlays[0]), "footprint:0.25");
+  toggle_closed(f, option("view.overlays"), "footprint");
+  ASSERT_EQ(desk.settings.view.overlays.size(), 1u);
+  EXPECT_EQ(desk.settings.view.overlays[0].view, "wire");
 }
 
 }  // namespace

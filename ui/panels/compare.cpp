@@ -42,19 +42,11 @@ constexpr PanelKey kKeys[] = {{"L", "B = before the last change", to_last},
                               {"G", "difference with sign", with_sign},
                               {"O", "no comparison", show_as<CompareMode::off>}};
 
-Box compare_box(const FrameContext& f) {
-  const Box& canvas = f.layout.canvas;
-  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;
-  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
-}
-
 void draw_difference_table(FrameContext& f, Painter& p, Shelf& shelf, const Settings& a, const Settings& b) {
   const float px = f.type.small;
   int left_out = 0;
   for (const Option& o : options()) {
-    const std::string_view path = o.path;
-    if (path.starts_with("camera") || path.starts_with("view.") || path == "time_s" || path == "size") continue;
-    if (o.get(a) == o.get(b)) continue;
+    if (!compared(o) || o.get(a) == o.get(b)) continue;
     if (shelf.room.height() < 3 * line_height(px)) {
       ++left_out;
       continue;
@@ -104,7 +96,7 @@ extern const Panel kComparePanel = {.key = "Ctrl+B",
                                     .id = "compare",
                                     .help = "A and B: what B is, how they are compared, what they differ in",
                                     .place = Place::edge,
-                                    .box = compare_box,
+                                    .box = edge_box,
                                     .draw = draw_compare,
                                     .keys = kKeys};
 

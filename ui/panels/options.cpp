@@ -8,6 +8,7 @@
 
 #include "ui/closed_sets.h"
 #include "ui/key_spec.h"
+#include "ui/panels/side_panel.h"
 
 namespace gbl::ui {
 namespace {
@@ -125,12 +126,6 @@ bool press_letter(FrameContext& f, const KeyEvent& e) {
   return false;
 }
 
-Box options_box(const FrameContext& f) {
-  const Box& canvas = f.layout.canvas;
-  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;  // large type needs the place of four pictures
-  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
-}
-
 void draw_options(FrameContext& f, Painter& p, const Box& box) {
   const Page& page = page_now(f);
   const Box room = box.inset(std::round(12 * f.layout.unit));
@@ -169,7 +164,7 @@ extern const Panel kOptionsPanel = {.key = "O",
                                     .id = "options",
                                     .help = "all options: then the letter on the screen; O again: the next page",
                                     .place = Place::edge,
-                                    .box = options_box,
+                                    .box = edge_box,
                                     .draw = draw_options,
                                     .make = make_panel_state<OptionsState>,
                                     .press = turn_page,

@@ -114,7 +114,7 @@ void draw_outside(FrameContext& f, Painter& p, const Box& box) {
   const Box keys = shelf.above(2 * line_height(small));
   const Box words = shelf.above(3 * line_height(px));
   const Box picture = shelf.room;
-  if (picture.height() < 4 * px) return;
+  if (picture.height() < 4 * px || picture.width() < 4 * px) return;
   f.requests.outside = OutsideRequest{
       outside_camera(f), {static_cast<int>(picture.width()), static_cast<int>(picture.height())}, f.layout.main};
   use_mouse(f, picture);

@@ -59,12 +59,6 @@ void take_all_away(FrameContext& f, const KeyEvent&) {
 
 constexpr PanelKey kKeys[] = {{"End", "none", take_all_away}};
 
-Box overlays_box(const FrameContext& f) {
-  const Box& canvas = f.layout.canvas;
-  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;
-  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
-}
-
 void draw_row(FrameContext& f, Painter& p, const Box& line, size_t i, View v, float px) {
   const Overlay* now = find_overlay(f.settings.view.overlays, row(v).id);
   const bool missing = !why_missing(v, f.stored).empty();
@@ -117,7 +111,7 @@ extern const Panel kOverlaysPanel = {.key = "Ctrl+V",
                                      .id = "overlays",
                                      .help = "what is laid over the main view: footprints, wires, counts, checks",
                                      .place = Place::edge,
-                                     .box = overlays_box,
+                                     .box = edge_box,
                                      .draw = draw_overlays,
                                      .keys = kKeys,
                                      .press_other = press_letter};

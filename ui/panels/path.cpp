@@ -139,7 +139,7 @@ void draw_path(FrameContext& f, Painter& p, const Box& box) {
   complete(f);
   walk_recent(f);
   Shelf shelf{box.inset(std::round(f.type.body * 0.8f)), std::round(f.type.body * 0.25f)};
-  p.text_in(shelf.below(line), f.type.body, theme().accent, "Open a model, settings, a picture with settings or a rig");
+  p.text_in(shelf.below(line), f.type.body, theme().accent, "Open a model, settings, a rig or a picture");
   const std::string before = s.text.data();
   if (draw_text_field(f, kField, shelf.below(std::round(1.6f * line)), f.type.body, s.text.data(), s.text.size(),
                       &s.put))

@@ -33,6 +33,12 @@ Box side_box(const FrameContext& f) {
   return {{canvas.min.x + std::round(800 * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
 }
 
+Box edge_box(const FrameContext& f) {
+  const Box& canvas = f.layout.canvas;
+  const float design = f.type.body / f.layout.unit > 18 ? 800 : 400;  // large type needs the place of four pictures
+  return {{canvas.max.x - std::round(design * f.layout.unit), canvas.min.y}, {canvas.max.x, f.layout.status.min.y}};
+}
+
 // A cap and words beside it, in one line.
 void draw_keyed(Painter& p, const Box& box, float px, std::string_view key, ImU32 colour, std::string_view words) {
   const float left = box.min.x + p.key_cap(box.min, px, key) + px * 0.5f;

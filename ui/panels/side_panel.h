@@ -22,7 +22,8 @@ struct Shelf {
   }
 };
 
-Box side_box(const FrameContext&);
+Box side_box(const FrameContext&);  // the right half
+Box edge_box(const FrameContext&);  // along the right edge; large type takes more of it
 void draw_keyed(Painter&, const Box&, float px, std::string_view key, ImU32 colour, std::string_view words);
 // The keys with their words, line after line, as large as they fit; a single key is a button as well.
 void draw_panel_keys(FrameContext&, Painter&, const Box&, std::span<const PanelKey>);
