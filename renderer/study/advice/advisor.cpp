@@ -13,6 +13,7 @@
 #include "renderer/frame/resolve.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/options.h"
+#include "renderer/study/advice/axis_values.h"
 
 namespace gbl {
 namespace {
@@ -20,77 +21,6 @@ namespace {
 constexpr size_t kMostSetups = 300;    // whole set-ups tried before giving up
 constexpr double kMostWork = 6;        // times the least estimated, to be measured at all
 constexpr size_t kMeasuredSetups = 4;  // that hold and are measured where the cost is no count of bytes
-
-using Patch = std::vector<Assignment>;
-
-void apply(Settings& s, const Patch& patch) { apply_patch(s, patch, "advice"); }
-
-// Everything that a G-buffer could lose is kept, everything that is approximate is off. Depth decides which surface is
-// seen even where positions are stored apart: the finest there is.
-Settings lossless(const Settings& truth, FeatureSet features) {
-  Settings s = truth;
-  const Settings defaults;
-  for (const Option& o : options())
-    if (o.group == Group::method) o.set(s, o.get(defaults), o);
-  apply(s, {{"layout", "float32"},
-            {"normal.encoding", "xyz32f"},
-            {"position.source", "view32f"},
-            {"accumulation.format", "rgba32f"},
-            {"accumulation.targets", "one"},
-            {"lights.method", "auto"},
-            {"lights.cull", "front"}});
-  if (features.has(Feature::clip_control)) apply(s, {{"depth.format", "d32f-reversed"}});
-  s.view = {};
-  return s;
-}
-
-// The values of one axis that may be chosen, each as a patch over the lossless set-up.
-using Values = std::vector<Patch>;
-
-template <class E>
-void for_sound_rows(const DeviceLimits& limits, const std::function<void(const ValueRow&)>& each) {
-  for (const ValueRow& r : rows<E>())
-    if (r.sound() && limits.features.has(r.needs)) each(r);
-}
-
-// Some layouts find their successors by themselves, and auto is one of the others.
-Values layouts(const DeviceLimits& limits) {
-  Values out;
-  for_sound_rows<Layout>(limits, [&](const ValueRow& r) {
-    const auto l = static_cast<Layout>(r.value);
-    if (l != Layout::auto_ && !succeeds_another(l)) out.push_back({{"layout", r.id}});
-  });
-  return out;
-}
-
-Values normals(const DeviceLimits& limits) {
-  Values out;
-  for_sound_rows<NormalEncoding>(limits, [&](const ValueRow& r) { out.push_back({{"normal.encoding", r.id}}); });
-  return out;
-}
-
-// Depth formats from the finest: of set-ups with equal costs the first is taken.
-Values positions(const DeviceLimits& limits) {
-  Values out;
-  for_sound_rows<DepthFormat>(limits, [&](const ValueRow& r) {
-    if (static_cast<DepthFormat>(r.value) != DepthFormat::auto_)  // one of the others
-      out.insert(out.begin(), Patch{{"position.source", "depth"}, {"depth.format", r.id}});
-  });
-  for_sound_rows<PositionSource>(limits, [&](const ValueRow& r) {
-    if (static_cast<PositionSource>(r.value) != PositionSource::depth) out.push_back({{"position.source", r.id}});
-  });
-  return out;
-}
-
-Values accumulations(const DeviceLimits& limits) {
-  Values out;
-  for_sound_rows<AccumulationFormat>(limits, [&](const ValueRow& f) {
-    for_sound_rows<AccumulationTargets>(limits, [&](const ValueRow& t) {
-      out.push_back({{"accumulation.format", f.id}, {"accumulation.targets", t.id}});
-    });
-  });
-  return out;
-}
 
 int bytes_of(const Settings& s, const Scene& scene) {
   const Settings r = resolve(s, scene).settings;
@@ -128,8 +58,7 @@ class Advisor {
 
  private:
   void look() {
-    for (Values (*axis)(const DeviceLimits&) : {layouts, normals, positions, accumulations})
-      axes_.push_back(values_that_hold(axis(limits_)));
+    for (const Values& axis : axis_values(limits_)) axes_.push_back(values_that_hold(axis));
     if (cost_ == AdviceCost::time)
       take_two(measured(setups_that_hold()));
     else
@@ -158,7 +87,7 @@ class Advisor {
     Values out;
     for (const Patch& patch : all) {
       Settings s = base_;
-      apply(s, patch);
+      apply_values(s, patch);
       if (!validate(s, limits_).empty()) continue;
       advice_.values.push_back(tried(patch, s));
       if (!advice_.values.back().holds) continue;
@@ -179,7 +108,7 @@ class Advisor {
       for (const AdvisedSetup& before : out)
         for (const Patch& patch : axis) {
           longer.push_back(before);
-          apply(longer.back().settings, patch);
+          apply_values(longer.back().settings, patch);
         }
       out = std::move(longer);
     }
