@@ -64,28 +64,28 @@ void Comparer::open_picture() {
   picture_ = uploaded(is_exr(opened_) ? displayed(read_exr(opened_), s.exposure, s.colour) : read_png(opened_));
 }
 
-void Comparer::draw_b(View main) {
+void Comparer::draw_b(View view) {
   const Settings& a = lab_.drawn();
   Settings b = asked_->b;
   if (b.scene != lab_.scene_name())
     throw Error(ExitCode::bad_input, "B", fmt::format("shows another scene, {}", b.scene), "Tab goes there");
   require_valid(b, lab_.limits());
   b.size = a.size, b.view = a.view;
-  if (std::string why = why_missing(main, b); !why.empty())
-    throw Error(ExitCode::bad_input, "B", fmt::format("has no {}: {}", row(main).label, why), "choose another view");
+  if (std::string why = why_missing(view, b); !why.empty())
+    throw Error(ExitCode::bad_input, "B", fmt::format("has no {}: {}", row(view).label, why), "choose another view");
   const auto frame = lab_.renderer().resolve(b, *lab_.gpu_scene());
   b.size = lab_.cost().affordable_size(*frame, b.size, kSlowestMs);
   if (!targets_) targets_ = std::make_unique<Targets>();
   lab_.renderer().render(b, *lab_.gpu_scene(), *targets_);
-  lab_.renderer().draw_view(main, b, *lab_.gpu_scene(), *targets_,
-                            {.stats = lab_.stats_of(main),
+  lab_.renderer().draw_view(view, b, *lab_.gpu_scene(), *targets_,
+                            {.stats = lab_.stats_of(view),
                              .stats_of = [this](View v) { return lab_.stats_of(v); },
-                             .overlays = !asked_->difference});
+                             .overlays = lab_.is_main(view) && !asked_->difference});
 }
 
-const gl::Texture* Comparer::picture_of_b(View main, bool truth_drawn) {
+const gl::Texture* Comparer::picture_of_b(View view, bool truth_drawn) {
   switch (asked_->what) {
-    case ui::BesideA::settings: draw_b(main); return &targets_->canvases.drawn_view(main)->texture;
+    case ui::BesideA::settings: draw_b(view); return &targets_->canvases.drawn_view(view)->texture;
     case ui::BesideA::picture: open_picture(); return &*picture_;
     case ui::BesideA::truth: break;
   }
@@ -95,8 +95,8 @@ const gl::Texture* Comparer::picture_of_b(View main, bool truth_drawn) {
   return nullptr;
 }
 
-void Comparer::find_difference(View main, const gl::Texture& b) {
-  const gl::Texture& a = lab_.targets().canvases.drawn_view(main)->texture;
+void Comparer::find_difference(View view, const gl::Texture& b) {
+  const gl::Texture& a = lab_.targets().canvases.drawn_view(view)->texture;
   if (!errors_ || errors_->texture.size != a.size) {
     errors_ = make_canvas({.size = a.size, .format = Format::rgba32f, .label = "differences"});
     coloured_ = make_canvas({.size = a.size, .linear_filter = true, .label = "difference"});
@@ -124,29 +124,30 @@ void Comparer::take_stats() {
   shown_.legend.apart.clear();  // every pixel is compared
 }
 
-void Comparer::update(const std::optional<ui::CompareRequest>& wanted, View main, bool a_drawn, bool truth_drawn) {
+void Comparer::update(const std::optional<ui::CompareRequest>& wanted, bool a_drawn, bool truth_drawn) {
   waiting_ = false;
   if (!wanted) {
     asked_.reset(), targets_.reset(), picture_.reset(), opened_.clear(), read_.drop();
     shown_ = {};
     return;
   }
-  const bool anew = a_drawn || asked_ != wanted || main != main_ || !shown_.b.texture;
-  asked_ = wanted, main_ = main;
+  const bool anew = a_drawn || asked_ != wanted || !shown_.b.texture;
+  asked_ = wanted;
   if (anew) {
     try {
       shown_.missing.clear(), shown_.note.clear();
-      if (needs_truth(main))
-        throw Error(ExitCode::bad_input, "B", fmt::format("has no {} of its own", row(main).label),
+      const View view = wanted->view;
+      if (needs_truth(view))
+        throw Error(ExitCode::bad_input, "B", fmt::format("has no {} of its own", row(view).label),
                     "choose another view");
-      if (wanted->what == ui::BesideA::truth && main != View::final)
+      if (wanted->what == ui::BesideA::truth && view != View::final)
         throw Error(ExitCode::bad_input, "B", "is the truth's finished picture", "1 shows A's");
-      const gl::Texture* b = picture_of_b(main, truth_drawn);
+      const gl::Texture* b = picture_of_b(view, truth_drawn);
       shown_.b = b ? ui::ViewImage{b->id(), b->size} : ui::ViewImage{};
       const glm::ivec2 size = lab_.drawn().size;
       if (b && b->size != size)
         shown_.note = fmt::format("B is {}, stretched to {}", size_text(b->size), size_text(size));
-      if (b && wanted->difference) find_difference(main, *b);
+      if (b && wanted->difference) find_difference(view, *b);
     } catch (const Error& e) {
       shown_ = {};
       shown_.missing = e.what();

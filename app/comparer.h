@@ -11,9 +11,9 @@ namespace gbl {
 class Comparer {
  public:
   explicit Comparer(Lab& lab) : lab_(lab) {}
-  // Once a frame, after A's views are drawn. `a_drawn`: the main view's picture is another one than in the last frame;
-  // `truth_drawn`: the reference's is of this frame.
-  void update(const std::optional<ui::CompareRequest>&, View main, bool a_drawn, bool truth_drawn);
+  // Once a frame, after A's views are drawn. `a_drawn`: the compared view's picture is another one than in the last
+  // frame; `truth_drawn`: the reference's is of this frame.
+  void update(const std::optional<ui::CompareRequest>&, bool a_drawn, bool truth_drawn);
   const ui::CompareInput* input() const { return asked_ ? &shown_ : nullptr; }
   bool waiting() const { return waiting_; }
 
@@ -26,7 +26,6 @@ class Comparer {
 
   Lab& lab_;
   std::optional<ui::CompareRequest> asked_;
-  View main_ = View::final;
   ui::CompareInput shown_;
   std::unique_ptr<Targets> targets_;  // of B, while settings are compared
   std::optional<gl::Texture> picture_;

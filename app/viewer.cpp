@@ -137,7 +137,7 @@ void Viewer::draw_truth(const Settings& s, const ui::Requests& requests, bool al
     if (all || !fresh || !(drawn_part(s.view) == drawn_part(view_drawn_))) {
       lab_.look_at(s.view);
       fresh = lab_.draw_truth_view(view, false);
-      main_drawn_ |= fresh;
+      drawn_now_[static_cast<size_t>(view)] |= fresh;
       stats_pending_ |= fresh && view == View::error;
     }
     complete &= fresh;
@@ -169,7 +169,8 @@ void Viewer::ask_stats(View view) {
 
 void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool all) {
   // A difference is one of what lies below the overlays.
-  const bool laid_over = !(requests.compare && requests.compare->difference);
+  const bool laid_over =
+      !(requests.compare && requests.compare->difference && row(requests.compare->view).id == s.view.main);
   const bool overlays_changed = !(drawn_part(s.view) == drawn_part(view_drawn_)) || s.view.main != view_drawn_.main ||
                                 std::exchange(laid_over_, laid_over) != laid_over;
   if (all) asked_stats_.fill(false);
@@ -182,8 +183,7 @@ void Viewer::draw_views(const Settings& s, const ui::Requests& requests, bool al
     if (needs_truth(view) || !requests.visible[v] || !stale || !why_missing(view, lab_.drawn()).empty()) continue;
     lab_.look_at(s.view);
     lab_.draw_view(view, {.overlays = main && laid_over});
-    fresh_[v] = true;
-    main_drawn_ |= main;
+    fresh_[v] = drawn_now_[v] = true;
     if (main || follows_picture(view, s.view)) ask_stats(view);
   }
   for (const Overlay& o : s.view.overlays) ask_stats(view_by_id(o.view).view);
@@ -250,7 +250,7 @@ void Viewer::draw_locked(const ui::Requests& requests, bool all) {
 void Viewer::draw_outside(const ui::Requests& requests) {
   if (!requests.outside) return outside_.reset();
   const ui::OutsideRequest& wanted = *requests.outside;
-  if (outside_ && outside_->asked == wanted && !main_drawn_) return;
+  if (outside_ && outside_->asked == wanted && !drawn_now_[static_cast<size_t>(wanted.colours)]) return;
   if (!outside_ || outside_->picture.texture.size != wanted.size) {
     outside_.emplace();
     outside_->depth = gl::make_texture({.size = wanted.size, .format = Format::d32f, .label = "outside.depth"});
@@ -283,10 +283,10 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   if (changed && ready) draw_frame(s, moving);
   if (!lab_.has_drawn()) return;
   try {
-    main_drawn_ = false;
+    drawn_now_.fill(false);
     draw_locked(requests, changed && ready);
     draw_views(s, requests, changed && ready);
-    comparer_.update(requests.compare, view_by_id(s.view.main).view, main_drawn_,
+    comparer_.update(requests.compare, requests.compare && drawn_now_[static_cast<size_t>(requests.compare->view)],
                      fresh_[static_cast<size_t>(View::reference)]);
     draw_outside(requests);
     lab_.show_squares(requests.magnified);

@@ -91,7 +91,7 @@ class Viewer {
   std::array<bool, kViewCount> fresh_{};        // views that show the frame drawn last
   std::array<bool, kViewCount> asked_stats_{};  // of the frame drawn last
   bool stats_waiting_ = false;                  // of a visible view
-  bool main_drawn_ = false;                     // in this frame: the main view's picture, or the reference's
+  std::array<bool, kViewCount> drawn_now_{};    // in this frame
   Settings::View view_drawn_;
   bool laid_over_ = true;                // overlays are drawn
   std::optional<PixelAccount> account_;  // of probe_

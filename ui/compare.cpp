@@ -273,8 +273,11 @@ std::string comparison_in_words(const FrameContext& f) {
 void ask_comparison(FrameContext& f) {
   const Comparison& c = f.state.comparison;
   if (!shown(f) || !c.has_b()) return;
-  CompareRequest r{
-      .what = c.what, .file = c.file, .difference = c.mode == CompareMode::difference, .with_sign = c.with_sign};
+  CompareRequest r{.what = c.what,
+                   .view = f.layout.main,
+                   .file = c.file,
+                   .difference = c.mode == CompareMode::difference,
+                   .with_sign = c.with_sign};
   if (c.other) r.b = *c.other;
   share_view(f.settings, r.b);
   const Zoom zoom = zoom_of(f, f.layout.main);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/inspect/views.h"
 #include "renderer/options/settings.h"
 #include "renderer/truth/error_stats.h"
 
@@ -15,6 +16,7 @@ enum class BesideA { settings, truth, picture };
 
 struct CompareRequest {
   BesideA what = BesideA::settings;
+  View view = View::final;        // of the large picture: what is compared
   Settings b;                     // of `settings`; its size is A's
   std::string file;               // of `picture`: PNG or EXR
   bool difference = false;        // worked out and coloured, too

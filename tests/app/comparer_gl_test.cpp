@@ -14,6 +14,7 @@ class Comparing : public ViewerTest {
   const ui::CompareInput& compare(const Settings& a, const ui::CompareRequest& with, View main = View::final) {
     ui::Requests r = showing({main});
     r.compare = with;
+    r.compare->view = main;
     if (with.what == ui::BesideA::truth) r.visible[static_cast<size_t>(View::reference)] = true;
     Settings s = a;
     s.view.main = row(main).id;

@@ -46,6 +46,20 @@ TEST(Compare, BothHaveOneCameraAndOneViewInOneScene) {
   EXPECT_EQ(desk.settings.view.main, "normal");
 }
 
+TEST(Compare, ItIsOfTheLargePictureWhicheverPanelIsChosen) {
+  Desk desk;
+  desk.press("c");
+  desk.frame();
+  desk.settings.view.main = "depth";  // as a click on a small panel of the mosaic does
+  desk.press("/");
+  ASSERT_TRUE(desk.requests.compare);
+  ASSERT_EQ(desk.settings.view.main, "depth");
+  EXPECT_EQ(desk.requests.compare->view, View::final);
+  desk.press("4");  // large
+  desk.frame();
+  EXPECT_EQ(desk.requests.compare->view, View::depth);
+}
+
 TEST(Compare, SlashGoesThroughTheModesAndAsksForB) {
   Desk desk;
   desk.press("c");

@@ -1,17 +1,9 @@
 #include "renderer/study/advice/axis_values.h"
 
-#include <functional>
-
 #include "renderer/gbuffer/layouts.h"
 
 namespace gbl {
 namespace {
-
-template <class E>
-void for_sound_rows(const DeviceLimits& limits, const std::function<void(const ValueRow&)>& each) {
-  for (const ValueRow& r : rows<E>())
-    if (r.sound() && limits.features.has(r.needs)) each(r);
-}
 
 // Some layouts find their successors by themselves, and auto is one of the others.
 Values layouts(const DeviceLimits& limits) {
