@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <vector>
 
 #include "renderer/base/error.h"
 #include "renderer/truth/ties.h"
@@ -53,24 +54,39 @@ class Checker {
     return scene_.meshes[static_cast<size_t>(scene_.instances[static_cast<size_t>(t.instance())].mesh)];
   }
 
-  // In pixels from the picture's upper left corner; false: not wholly before the eye.
-  bool project(const Triangle& t, glm::dvec2 (&out)[3]) const {
-    const Camera& c = settings_.camera;
-    for (int k = 0; k < 3; ++k) {
-      const double range = glm::dot(t.places[k], c.forward());
-      if (!c.orthographic() && range <= 0) return false;
-      const glm::dvec2 ndc = glm::dvec2(glm::dot(t.places[k], c.right()), glm::dot(t.places[k], c.up())) /
-                             (half_ * (c.orthographic() ? 1 : range));
-      out[k] = (glm::dvec2(ndc.x, -ndc.y) + 1.0) / 2.0 * glm::dvec2(settings_.size);
+  double range_of(const glm::dvec3& place) const { return glm::dot(place, settings_.camera.forward()); }
+
+  // What of it lies before the eye: half the near plane's distance away, so that no edge of the cut is seen.
+  std::vector<glm::dvec3> before_eye(const Triangle& t) const {
+    const double least = settings_.camera.near / 2;
+    std::vector<glm::dvec3> out;
+    for (size_t k = 0; k < 3; ++k) {
+      const glm::dvec3 &from = t.places[k], &to = t.places[(k + 1) % 3];
+      const double a = range_of(from) - least, b = range_of(to) - least;
+      if (a >= 0) out.push_back(from);
+      if ((a >= 0) != (b >= 0)) out.push_back(from + (to - from) * (a / (a - b)));
     }
-    return true;
+    return out;
   }
 
-  // Distance of a point to the nearest edge.
-  static double to_edges(const glm::dvec2& p, const glm::dvec2 (&c)[3]) {
+  // Its outline in pixels from the picture's upper left corner.
+  std::vector<glm::dvec2> project(const Triangle& t) const {
+    const Camera& c = settings_.camera;
+    std::vector<glm::dvec2> out;
+    for (const glm::dvec3& place :
+         c.orthographic() ? std::vector<glm::dvec3>(std::begin(t.places), std::end(t.places)) : before_eye(t)) {
+      const glm::dvec2 ndc = glm::dvec2(glm::dot(place, c.right()), glm::dot(place, c.up())) /
+                             (half_ * (c.orthographic() ? 1 : range_of(place)));
+      out.push_back((glm::dvec2(ndc.x, -ndc.y) + 1.0) / 2.0 * glm::dvec2(settings_.size));
+    }
+    return out;
+  }
+
+  // Distance of a point to the nearest edge; infinite of nothing.
+  static double to_edges(const glm::dvec2& p, const std::vector<glm::dvec2>& c) {
     double nearest2 = INFINITY;
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec2 from = c[k], edge = c[(k + 1) % 3] - from;
+    for (size_t k = 0; k < c.size(); ++k) {
+      const glm::dvec2 from = c[k], edge = c[(k + 1) % c.size()] - from;
       const double length2 = glm::dot(edge, edge);
       const double along = length2 > 0 ? std::clamp(glm::dot(p - from, edge) / length2, 0.0, 1.0) : 0;
       const glm::dvec2 off = from + along * edge - p;
@@ -79,10 +95,7 @@ class Checker {
     return std::sqrt(nearest2);
   }
 
-  double border_px(glm::ivec2 pixel, const Triangle& t) const {
-    glm::dvec2 c[3];
-    return project(t, c) ? to_edges(glm::dvec2(pixel) + 0.5, c) : INFINITY;
-  }
+  double border_px(glm::ivec2 pixel, const Triangle& t) const { return to_edges(glm::dvec2(pixel) + 0.5, project(t)); }
 
   // How far the pixel's centre lies beside the triangle; 0: on it.
   double beside_px(glm::ivec2 pixel, const Triangle& t) const {
@@ -102,7 +115,7 @@ class Checker {
     const double met = glm::dot(t.places[0] - ray.origin, normal) / glm::dot(ray.direction, normal);
     double low = INFINITY, high = -INFINITY;
     for (const glm::dvec3& p : t.places) {
-      const double range = glm::dot(p, settings_.camera.forward());
+      const double range = range_of(p);
       low = std::min(low, range), high = std::max(high, range);
     }
     return std::isfinite(met) ? std::clamp(met, low, high) : low;

@@ -40,6 +40,7 @@ constexpr ErrorColumn kColumns[] = {
     {"lost_pixels", "", "pixels with less than half their light", &Errors::lost_pixels},
     {"doubled_pixels", "", "pixels with more than one and a half times their light", &Errors::doubled_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
+    {"background_off_pixels", "", "pixels without a surface that are brighter or darker than the background", &Errors::background_off_pixels},
     {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
     {"compared_pixels", "", "pixels with a surface: those that are judged", &Errors::compared_pixels, ErrorKind::basis},
 };
@@ -95,13 +96,15 @@ void measure_radiance(Errors& e, const Truth& truth, const std::vector<glm::vec3
 }
 
 void count_nonfinite_and_background(Errors& e, const Truth& truth, const std::vector<glm::vec3>& lit) {
-  size_t nonfinite = 0, background_lit = 0;
+  size_t nonfinite = 0, background_lit = 0, background_off = 0;
   for (size_t i = 0; i < truth.pixels(); ++i) {
     const glm::dvec3 more = glm::dvec3(lit[i]) - truth.lit[i];
     nonfinite += !finite(lit[i]);
     background_lit += !truth.present[i] && (more.x > kCode || more.y > kCode || more.z > kCode);
+    background_off += !truth.present[i] && largest_magnitude(more) > kCode;
   }
   e.nonfinite_pixels = static_cast<double>(nonfinite), e.background_lit_pixels = static_cast<double>(background_lit);
+  e.background_off_pixels = static_cast<double>(background_off);
 }
 
 // ---- lit, as displayed ----------------------------------------------------------------------------------------------

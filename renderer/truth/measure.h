@@ -1,6 +1,6 @@
 #pragma once
 // How far a picture is from the truth: one number per column of a study. Pixels without a surface are left out of all
-// columns but background_lit_pixels. Formulas: see the table in measure.cpp.
+// columns but those of the background. Formulas: see the table in measure.cpp.
 #include <optional>
 #include <span>
 
@@ -27,7 +27,7 @@ struct Errors {
   std::optional<double> flip_mean;                                                        // 0..1
   std::optional<double> normal_deg_mean, normal_deg_p50, normal_deg_p99, normal_deg_max;  // degrees
   std::optional<double> position_mean, position_p99, position_max;                        // world units
-  std::optional<double> nonfinite_pixels, lost_pixels, doubled_pixels, background_lit_pixels;
+  std::optional<double> nonfinite_pixels, lost_pixels, doubled_pixels, background_lit_pixels, background_off_pixels;
   std::optional<double> tie_pixels;       // frame and reference see different surfaces at an edge (ties.h)
   std::optional<double> compared_pixels;  // with a surface
 };

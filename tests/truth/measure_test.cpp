@@ -128,11 +128,13 @@ TEST(Measure, WithoutASurfaceThereIsNothingToMeasure) {
   p.truth.present.assign(16, 0);
   p.drawn.lit[3] = glm::vec3(kNaN), p.drawn.lit[4] = glm::vec3(0.5f, 0.5f, 0.6f), p.drawn.lit[5] = glm::vec3(0.4f);
   const Errors e = measured(p);
-  const std::set<std::string> given = {"compared_pixels", "tie_pixels", "nonfinite_pixels", "background_lit_pixels"};
+  const std::set<std::string> given = {"compared_pixels", "tie_pixels", "nonfinite_pixels", "background_lit_pixels",
+                                       "background_off_pixels"};
   for (const ErrorColumn& c : error_columns()) EXPECT_EQ((e.*c.value).has_value(), given.contains(c.id)) << c.id;
   EXPECT_EQ(e.compared_pixels, 0);
   EXPECT_EQ(e.nonfinite_pixels, 1);
   EXPECT_EQ(e.background_lit_pixels, 1) << "lit, not darkened";
+  EXPECT_EQ(e.background_off_pixels, 3) << "too dark is as wrong as lit, and so is no number";
 }
 
 // Pixel 3 shows what the reference sees beside it, pixel 4 what it sees nowhere, pixel 5 what it sees beside another.

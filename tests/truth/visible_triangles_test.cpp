@@ -97,6 +97,26 @@ TEST(CheckTriangles, ATriangleBehindTheOneThatIsSeenIsNotBelieved) {
   EXPECT_LE(differing(named, right), 30u) << "but along the diagonal, where the nearest may have been missed";
 }
 
+// A hundredth of a pixel beside the edge of a floor that reaches behind the eye: a rasteriser may show it there.
+TEST(CheckTriangles, ATriangleThatReachesBehindTheEyeIsBelievedAtItsEdge) {
+  Scene scene = make_plane(20);
+  Settings s = closed_settings();
+  s.camera.position = {0, 1, 0};
+  s.camera.orientation = orientation_from_yaw_pitch(0, 0);
+  const glm::ivec2 pixel(24, 12);
+  const ViewRays rays = view_rays(s.camera, 32.0 / 18);
+  const double x = (2 * (pixel.x + 0.49) / 32 - 1) * rays.right.x, y = (1 - 2 * (pixel.y + 0.5) / 18) * rays.up.y;
+  scene.instances[0].world_from_object[0].x = x / -y / 20;  // its right edge runs there
+  std::vector<SeenTexel> named = visible_triangles(s, scene, false);
+  const size_t i = static_cast<size_t>(pixel.y * s.size.x + pixel.x);
+  ASSERT_GE(named[i - 1].instance(), 0);
+  ASSERT_LT(named[i].instance(), 0);
+  named[i] = named[i - 1];
+  EXPECT_EQ(check_triangles(s, scene, named), 0u);
+  named[i + 1] = named[i];
+  EXPECT_THROW(check_triangles(s, scene, named), Error) << "a pixel farther out";
+}
+
 TEST(CheckTriangles, ATriangleOutOfNowhereIsRefusedWithItsPixel) {
   const Scene scene = make_plane(2);
   const Settings s = closed_settings();
