@@ -40,6 +40,9 @@ constexpr BuiltinScene kScenes[] = {
      R"({"attenuation": "linear", "ambient": 0.06, "background.fill": "colour",
          "background.colour": [0.006, 0.010, 0.024]})",
      R"({"layout": "auto"})"},
+    {"yard", "Yard", "walls towards all sides, a ball and squashed ones: what a flat floor hides shows here",
+     build_yard,
+     R"({"lights.count": 16, "attenuation": "linear", "ambient": 0.15, "background.fill": "black", "exposure": 1.6})"},
 };
 
 std::vector<std::string_view> ids() {

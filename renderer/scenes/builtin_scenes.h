@@ -30,5 +30,6 @@ Scene build_grove();
 Scene build_layers();
 Scene build_hall();
 Scene build_city();
+Scene build_yard();
 
 }  // namespace gbl
