@@ -101,6 +101,12 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     add_number(app, "--configurations", a.configurations, "of cull-families, in each family (default: 48)", 1, 1000);
     app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: out/stability)");
   }
+  if (command == "pitfalls") {
+    app.add_option("id", a.pitfalls, "pitfalls by id; default: all");
+    app.add_flag("--list", a.list, "only what there is");
+    app.add_option("--size", a.size, "WxH of the pictures that are judged (default: 320x180)");
+    app.add_option("-o,--output", a.output, "folder for a page and a picture each, made if need be (default: none)");
+  }
   if (command == "list") {
     CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");
     app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what)->excludes(json);

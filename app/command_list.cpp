@@ -15,6 +15,7 @@
 #include "renderer/options/presets.h"
 #include "renderer/pitfalls/mistakes.h"
 #include "renderer/scenes/builtin_scenes.h"
+#include "renderer/study/pitfalls/catalogue.h"
 #include "renderer/study/study_spec.h"
 #include "ui/ui.h"
 
@@ -176,6 +177,20 @@ Rows lesson_rows() {
   return out;
 }
 
+Rows pitfall_rows() {
+  Rows out;
+  for (const PitfallEntry& e : load_pitfalls()) {
+    Json j = base(e.id.c_str(), e.title.c_str());
+    j["sound"] = nullptr;
+    j["group"] = e.group;
+    j["metric"] = e.metric;
+    j["help"] = e.symptom;
+    j["source"] = e.source;
+    out.push_back({j});
+  }
+  return out;
+}
+
 Rows study_rows() {
   Rows out;
   for (const BuiltinStudy& study : builtin_studies()) {
@@ -203,6 +218,7 @@ const List kLists[] = {
     {"overlays", [] { return value_rows<VolumeOverlay>(true); }},
     {"options", option_rows},
     {"keys", key_list},
+    {"pitfalls", pitfall_rows},
     {"lessons", lesson_rows},
     {"studies", study_rows},
 };

@@ -21,9 +21,10 @@ constexpr Command kCommands[] = {
     {"advise", "the cheapest set-up for this scene that holds an error budget, and what it leaves out", run_advise},
     {"stability", "one parameter through the place where methods break, each curve with a statement that is checked",
      run_stability},
+    {"pitfalls", "where methods fail: each pitfall broken and fixed, judged by the reference", run_pitfalls},
     {"list",
-     "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, lessons, "
-     "studies",
+     "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, pitfalls, "
+     "lessons, studies",
      run_list},
     {"info", "the driver, its limits and its rounding; which features are there and why not", run_info},
 };

@@ -23,6 +23,8 @@ struct Arguments {
   std::string what;                   // of `list` and `study`
   std::vector<std::string> sweeps;    // of `stability`; none: all
   std::optional<int> configurations;  // of each family of random ones
+  std::vector<std::string> pitfalls;  // by id; none: all
+  bool list = false;                  // of `pitfalls`: only what there is
 
   std::optional<std::string> scene, preset, state, rig, camera, size;
   std::optional<int> lights;
@@ -73,6 +75,7 @@ ExitCode run_bench(const Arguments&);
 ExitCode run_study_command(const Arguments&);
 ExitCode run_advise(const Arguments&);
 ExitCode run_stability(const Arguments&);
+ExitCode run_pitfalls(const Arguments&);
 ExitCode run_list(const Arguments&);
 // As `list WHAT --md` prints it; `columns` chooses some of them.
 std::string list_markdown(const std::string& what, std::span<const std::string_view> columns = {});

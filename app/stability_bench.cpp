@@ -1,23 +1,17 @@
 #include "app/stability_bench.h"
 
+#include "app/pitfall_bench.h"
+
 namespace gbl {
 namespace {
 
 // A point's curves differ in their method, and few in their truth.
 constexpr size_t kTruthsOfAPoint = 4;
 
-// Neither known way of rounding is taken for the coarser of the two.
-StoreRounding rounding_of(gl::Rounding r) {
-  return r == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
-}
-
 }  // namespace
 
 StabilityBench::StabilityBench(Renderer& renderer, const gl::Device& device)
-    : device_(device), renderer_(renderer), truths_(kTruthsOfAPoint, all_processors()) {
-  const gl::RoundingProbe probe = gl::probe_rounding();
-  rounding_ = {rounding_of(probe.half_store), rounding_of(probe.half_blend), rounding_of(probe.r11_store)};
-}
+    : device_(device), rounding_(device_rounding()), renderer_(renderer), truths_(kTruthsOfAPoint, all_processors()) {}
 
 const GpuScene& StabilityBench::uploaded(const std::shared_ptr<const Scene>& scene) {
   if (!scene_ || scene_->shared_scene() != scene) scene_ = std::make_unique<GpuScene>(scene);

@@ -6,7 +6,11 @@
 // lies in a texel, NORMAL_BITS how many bits a channel of it has.
 #if NORMAL_SPACE == SPACE_VIEW
 vec3 stored_from_world(vec3 n) { return mat3(view_from_world) * n; }
+#if MISTAKE_MIXED_SPACES
+vec3 world_from_stored(vec3 n) { return n; }
+#else
 vec3 world_from_stored(vec3 n) { return n * mat3(view_from_world); }  // a rotation: the transpose turns it back
+#endif
 #else
 vec3 stored_from_world(vec3 n) { return n; }
 vec3 world_from_stored(vec3 n) { return n; }

@@ -10,6 +10,13 @@ float float_of(uint word, int first, int bits) {
 }
 
 vec3 coded8(vec3 linear) { return quantised8(coded_from_linear(linear)); }
+#if MISTAKE_LINEAR_ALBEDO_8BIT
+vec3 albedo8(vec3 linear) { return quantised8(clamp(linear, 0.0, 1.0)); }
+vec3 albedo_of8(vec3 stored) { return stored; }
+#else
+vec3 albedo8(vec3 linear) { return coded8(linear); }
+vec3 albedo_of8(vec3 stored) { return linear_from_coded(stored); }
+#endif
 float kept8(float x) { return quantised8(vec3(x)).x; }
 
 // Emission is kept as the display shows it: what is above its white is lost, what is below it has the eye's steps.

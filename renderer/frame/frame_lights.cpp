@@ -19,6 +19,8 @@ std::vector<Light> from_source(const Settings& s, const Scene& scene) {
   return generated_lights(scene.light_grid, s.lights.count, s.lights.seed, s.time_s);
 }
 
+constexpr size_t kShaderArray = 16;  // of Mistake::silent_light_cap: MAX_LIGHTS of tutorial 9
+
 double brightest(const Light& l) { return std::max({l.colour.x, l.colour.y, l.colour.z}); }
 
 // Where its radiance on white falls to 1/255 of the display's white: by its own falloff x + y d + z d^2, else by the
@@ -77,6 +79,7 @@ std::vector<Light> all_lights_of(const Settings& s, const Scene& scene) {
     if (l.kind == LightKind::spot && s.lights.spot == LightSpot::cos_power) open_cone(l);
   }
   require_finite(lights);
+  if (s.mistakes.count(Mistake::silent_light_cap) > 0) lights.resize(std::min(lights.size(), kShaderArray));
   if (s.lights.first >= 0) lights.resize(std::min<size_t>(lights.size(), s.lights.first));
   return lights;
 }

@@ -1,10 +1,6 @@
 #include "renderer/passes/lighting.h"
 
 namespace gbl {
-namespace {
-constexpr float kNothing[4] = {};
-}
-
 gl::Defines LightingPass::defines() const {
   gl::Defines d = frame.defines();
   // Counts are of pixels with geometry, whatever else is shaded.
@@ -35,7 +31,9 @@ int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer&
   begin_drawing(into, frame.settings.size, state);
   const int targets = output == LightOutput::split ? 2 : 1;
   const bool begun = output == LightOutput::sum && frame.resolved.light_sum_is_begun;
-  for (int i = 0; i < targets && !begun; ++i) glClearBufferfv(GL_COLOR, i, kNothing);
+  const bool grey = output != LightOutput::count && frame.resolved.mistaken(Mistake::light_target_grey_clear);
+  const glm::vec4 clear = grey ? glm::vec4(frame.background(), 1) : glm::vec4(0);
+  for (int i = 0; i < targets && !begun; ++i) glClearBufferfv(GL_COLOR, i, &clear[0]);
   if (frame.resolved.lighting_has_depth) copy_depth(frame, into);
   gl::change(state);
   if (frame.lights().empty()) return 0;

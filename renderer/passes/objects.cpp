@@ -120,6 +120,10 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
 
 }  // namespace
 
+static bool drawn_forward(const Frame& frame, const Material& m) {
+  return m.alpha_mode == AlphaMode::blend && !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
+}
+
 std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
   std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;
   records.clear();
@@ -128,7 +132,7 @@ std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
   const auto rank = [&](int i) { return transparent ? -distance_to(frame, i) : draw_rank(frame, i); };
   std::vector<std::pair<double, ObjectDraw>> by_rank;
   for (const GpuScene::Batch& batch : frame.scene.batches()) {
-    if ((material_of(frame, batch).alpha_mode == AlphaMode::blend) != transparent) continue;
+    if (drawn_forward(frame, material_of(frame, batch)) != transparent) continue;
     std::vector<int> order = batch.instances;
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
     if (!transparent) by_rank.push_back({rank(order.front()), {&batch, next, static_cast<int>(order.size())}});

@@ -31,6 +31,11 @@ int draw_transparent(Frame& frame) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.framebuffer(Pass::geometry).id());
   glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   canvases.composed_valid = true;
+  if (frame.resolved.mistaken(Mistake::depth_cleared_before_lighting)) {
+    glBindFramebuffer(GL_FRAMEBUFFER, composed.framebuffer.id());
+    constexpr float kOfTheQuad = 0.5f;  // z = 0 of clip space, in every pixel
+    glClearBufferfv(GL_DEPTH, 0, &kOfTheQuad);
+  }
   const gl::DepthTest test =
       frame.resolved.mistaken(Mistake::forward_without_depth) ? gl::DepthTest::off : gl::DepthTest::less;
   const int markers = draw_markers(frame, composed.framebuffer, test);

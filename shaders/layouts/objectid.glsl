@@ -2,14 +2,14 @@
 Stored pack_material(Surface s) {
   Stored t;
   t.ambient = vec4(coded8(s.ambient), 1.0);
-  t.material = vec4(coded8(s.albedo), 1.0);
+  t.material = vec4(albedo8(s.albedo), 1.0);
   t.reflectance = vec4(quantised8(s.f0), 1.0);
   t.shininess = vec4(stored_exponent(s), 0.0, 0.0, 0.0);
   return t;
 }
 
 void unpack_material(Stored t, inout Surface s) {
-  s.albedo = linear_from_coded(t.material.rgb);
+  s.albedo = albedo_of8(t.material.rgb);
   s.f0 = t.reflectance.rgb;
   set_exponent(s, t.shininess.r);
   s.ambient = linear_from_coded(t.ambient.rgb);

@@ -2,7 +2,7 @@
 // light's sums are kept apart.
 Stored pack_material(Surface s) {
   Stored t;
-  t.material = vec4(coded8(s.albedo), 1.0);
+  t.material = vec4(albedo8(s.albedo), 1.0);
   t.reflectance = quantised8(vec4(s.f0, s.roughness));
 #ifdef STORED_EMISSION
   t.emission = vec4((shading.z * s.ambient + s.emissive) * light_scale.x, 0.0);
@@ -11,7 +11,7 @@ Stored pack_material(Surface s) {
 }
 
 void unpack_material(Stored t, inout Surface s) {
-  s.albedo = linear_from_coded(t.material.rgb);
+  s.albedo = albedo_of8(t.material.rgb);
   s.f0 = t.reflectance.rgb;
   set_roughness(s, t.reflectance.a);
   s.ambient = vec3(0.0);

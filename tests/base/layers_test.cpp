@@ -72,6 +72,7 @@ const char* const kRooms[] = {
     "renderer/study/charts",
     "renderer/study",
     "renderer/study/stability",
+    "renderer/study/pitfalls",
     "renderer/study/advice",
     "renderer/gl",
     "renderer/passes",

@@ -44,6 +44,7 @@ struct SweepMetric {
   const char* help;
   std::optional<double> (*value)(const SweepSetup&, const Measured&);  // null: the column of Errors with this id
 };
+std::span<const SweepMetric> sweep_metrics();
 const SweepMetric& sweep_metric(std::string_view id);
 std::optional<double> value_of(const SweepMetric&, const SweepSetup&, const Measured&);
 

@@ -88,10 +88,14 @@ double lit_pixels(const Truth& truth) {
   return static_cast<double>(lit);
 }
 
-const SweepMetric& sweep_metric(std::string_view id) {
+std::span<const SweepMetric> sweep_metrics() {
   static const std::vector<SweepMetric> metrics = make_metrics();
+  return metrics;
+}
+
+const SweepMetric& sweep_metric(std::string_view id) {
   std::vector<std::string_view> known;
-  for (const SweepMetric& m : metrics) {
+  for (const SweepMetric& m : sweep_metrics()) {
     if (m.id == id) return m;
     known.emplace_back(m.id);
   }

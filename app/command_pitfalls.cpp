@@ -1,0 +1,79 @@
+// `pitfalls`: each entry of the catalogue broken and fixed, judged by the reference; and its page.
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/headless.h"
+#include "app/pitfall_bench.h"
+#include "renderer/base/json.h"
+#include "renderer/base/size_text.h"
+#include "renderer/study/pitfalls/judge.h"
+
+namespace gbl {
+namespace {
+
+constexpr glm::ivec2 kSize{320, 180};
+
+std::vector<PitfallEntry> chosen_entries(const std::vector<std::string>& ids) {
+  if (ids.empty()) return load_pitfalls();
+  std::vector<PitfallEntry> out;
+  for (const std::string& id : ids) out.push_back(load_pitfall(id));
+  return out;
+}
+
+glm::ivec2 size_from(const Arguments& a) {
+  if (!a.size) return kSize;
+  const std::optional<glm::ivec2> size = size_of(*a.size);
+  if (!size) throw Error(ExitCode::bad_input, "--size", fmt::format("'{}' is not a size", *a.size), "write WxH");
+  return *size;
+}
+
+Json json_of(const PitfallEntry& e, const PitfallResult& r) {
+  Json j;
+  j["id"] = e.id, j["title"] = e.title, j["group"] = e.group, j["metric"] = e.metric;
+  j["unit"] = pitfall_metric(e.metric).unit;
+  j["broken"] = or_null(r.broken), j["fixed"] = or_null(r.fixed), j["blind"] = or_null(r.blind);
+  j["skipped"] = r.skipped, j["as_catalogued"] = r.skipped.empty() ? Json(r.holds()) : Json(nullptr);
+  j["wrong"] = r.wrong;
+  return j;
+}
+
+void print(const PitfallEntry& e, const PitfallResult& r) {
+  if (!r.skipped.empty()) {
+    fmt::print("skipped  {:<28} {}\n", e.id, r.skipped);
+    return;
+  }
+  fmt::print("{}  {:<28} {:>10} -> {:<10} {}\n", r.holds() ? "holds  " : "DIFFERS", e.id, number_text(r.broken),
+             number_text(r.fixed), e.metric);
+  if (!r.holds()) fmt::print("         {}\n", r.wrong);
+}
+
+}  // namespace
+
+ExitCode run_pitfalls(const Arguments& a) {
+  const std::vector<PitfallEntry> entries = chosen_entries(a.pitfalls);
+  if (a.list) {
+    for (const PitfallEntry& e : entries) fmt::print("{:<28} {}\n", e.id, e.title);
+    return ExitCode::done;
+  }
+  const glm::ivec2 size = size_from(a);
+  const HeadlessContext context;
+  Renderer renderer;
+  PitfallBench bench(renderer, gl::probe_device(without_of(a)));
+  const auto measure = [&](const Settings& drawn, const Settings& meant) { return bench.measure(drawn, meant); };
+  Json all = Json::array();
+  bool all_hold = true;
+  size_t skipped = 0;
+  for (const PitfallEntry& e : entries) {
+    const PitfallResult r = judge_pitfall(e, size, bench.limits(), bench.rounding(), measure);
+    all_hold = all_hold && r.holds(), skipped += !r.skipped.empty();
+    if (a.json)
+      all.push_back(json_of(e, r));
+    else
+      print(e, r);
+  }
+  if (a.json) fmt::print("{}\n", all.dump(2));
+  if (!a.json && skipped > 0) fmt::print("{} of {} skipped\n", skipped, entries.size());
+  return all_hold ? ExitCode::done : ExitCode::check_failed;
+}
+
+}  // namespace gbl

@@ -1,0 +1,72 @@
+#include "app/pitfall_bench.h"
+
+#include "renderer/opening/scene_look.h"
+
+namespace gbl {
+namespace {
+
+constexpr size_t kTruthsKept = 4;  // broken and fixed mostly share one
+
+// Neither known way of rounding is taken for the coarser of the two.
+StoreRounding rounding_of(gl::Rounding r) {
+  return r == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
+}
+
+// Rows top to bottom.
+std::vector<glm::vec3> displayed_picture(const gl::Texture& radiance, const Display& display) {
+  const std::vector<float> texels = gl::read_rgba32f(radiance);
+  const auto width = static_cast<size_t>(radiance.size.x), height = static_cast<size_t>(radiance.size.y);
+  std::vector<glm::vec3> out;
+  out.reserve(width * height);
+  for (size_t y = height; y-- > 0;)
+    for (size_t x = 0; x < width; ++x) {
+      const float* t = &texels[4 * (y * width + x)];
+      out.emplace_back(displayed(display, glm::dvec3(t[0], t[1], t[2])));
+    }
+  return out;
+}
+
+// Of normals that are stored as they are, in three channels; those of the cleared background are 0 long.
+std::vector<double> stored_lengths(const Settings& s, const Targets& targets) {
+  const EncodingRow& encoding = row_of(s.normal.encoding);
+  const gl::Texture* normals = targets.frame.texture(Stores::normal);
+  if (!normals || encoding.storage() != NormalStorage::floats || encoding.channels != 3) return {};
+  std::vector<double> out;
+  const std::vector<float> texels = gl::read_rgba32f(*normals);
+  for (size_t i = 0; i < texels.size(); i += 4)
+    if (const double l = glm::length(glm::dvec3(texels[i], texels[i + 1], texels[i + 2])); l > 0) out.push_back(l);
+  return out;
+}
+
+}  // namespace
+
+DeviceRounding device_rounding() {
+  const gl::RoundingProbe probe = gl::probe_rounding();
+  return {rounding_of(probe.half_store), rounding_of(probe.half_blend), rounding_of(probe.r11_store)};
+}
+
+PitfallBench::PitfallBench(Renderer& renderer, const gl::Device& device)
+    : device_(device), rounding_(device_rounding()), renderer_(renderer), truths_(kTruthsKept, all_processors()) {}
+
+const GpuScene& PitfallBench::scene(const std::string& name) {
+  std::unique_ptr<GpuScene>& kept = scenes_[name];
+  if (!kept) kept = std::make_unique<GpuScene>(open_scene(name));
+  return *kept;
+}
+
+PitfallEvidence PitfallBench::measure(const Settings& drawn, const Settings& meant) {
+  const GpuScene& in = scene(drawn.scene);
+  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, in, meant, true);
+  FrameReport report = renderer_.render(drawn, in, targets_);
+  PitfallEvidence out{.setup = {drawn, in.shared_scene()}, .meant = meant};
+  out.shown = displayed_picture(targets_.canvases.shown(targets_.frame), {drawn.exposure, drawn.colour});
+  out.normal_lengths = stored_lengths(drawn, targets_);
+  renderer_.count_pairs(drawn, in, targets_, true);
+  renderer_.collect(targets_, report, true);
+  out.pairs = report.pairs;
+  out.drawn = read_drawn(renderer_, drawn, in, targets_, true);
+  out.measured = {gbl::measure(truth->truth, out.drawn, {drawn.exposure, drawn.colour}), {truth, &truth->truth}};
+  return out;
+}
+
+}  // namespace gbl

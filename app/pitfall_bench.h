@@ -1,0 +1,35 @@
+#pragma once
+// Draws one side of a pitfall and measures it against the truth that is meant, in targets of its own. No times.
+#include <map>
+
+#include "app/truth_keeper.h"
+#include "renderer/gl/device.h"
+#include "renderer/study/pitfalls/pitfall_metrics.h"
+#include "renderer/study/rows/study_row.h"
+
+namespace gbl {
+
+class PitfallBench {
+ public:
+  // The device's current context; the renderer may draw for others, too.
+  PitfallBench(Renderer&, const gl::Device&);
+
+  PitfallEvidence measure(const Settings& drawn, const Settings& meant);
+  DeviceLimits limits() const { return {device_.features, device_.max_size, device_.max_draw_buffers}; }
+  DeviceRounding rounding() const { return rounding_; }
+  Machine machine() const { return {device_.version, device_.renderer}; }
+
+ private:
+  const GpuScene& scene(const std::string& name);
+
+  gl::Device device_;
+  DeviceRounding rounding_;
+  Renderer& renderer_;
+  Targets targets_;
+  TruthKeeper truths_;
+  std::map<std::string, std::unique_ptr<GpuScene>> scenes_;  // the catalogue's are few and small
+};
+
+DeviceRounding device_rounding();  // of the current context
+
+}  // namespace gbl

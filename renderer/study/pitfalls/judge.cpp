@@ -1,0 +1,45 @@
+#include "renderer/study/pitfalls/judge.h"
+
+#include <fmt/format.h>
+
+namespace gbl {
+
+PitfallBounds bounds_on(const PitfallEntry& e, const DeviceRounding& rounding) {
+  const bool truncates =
+      rounding.half_store == StoreRounding::toward_zero || rounding.half_blend == StoreRounding::toward_zero;
+  return truncates && e.toward_zero ? *e.toward_zero : e.bounds;
+}
+
+std::string number_text(std::optional<double> n) { return n ? fmt::format("{:.4g}", *n) : "not measured"; }
+
+PitfallResult judge_pitfall(const PitfallEntry& e, glm::ivec2 size, const DeviceLimits& limits,
+                            const DeviceRounding& rounding, const PitfallMeasureFn& measure) {
+  PitfallResult out;
+  const PitfallMetric& metric = pitfall_metric(e.metric);
+  const auto number_of = [&](PitfallSide side) -> std::optional<double> {
+    Settings drawn = settings_of(e, side), meant = truth_of(e, side);
+    drawn.size = meant.size = size;
+    if (const std::vector<Problem> problems = validate(drawn, limits); !problems.empty()) {
+      out.skipped = problems[0].path + " " + problems[0].sentence;
+      return {};
+    }
+    return value_of(metric, measure(drawn, meant));
+  };
+  out.broken = number_of(PitfallSide::broken);
+  out.fixed = number_of(PitfallSide::fixed);
+  if (e.blind) out.blind = number_of(PitfallSide::blind);
+  if (!out.skipped.empty()) return out;
+
+  const PitfallBounds b = bounds_on(e, rounding);
+  const auto not_as = [&](const char* what, std::optional<double> n, const char* relation, double bound) {
+    out.wrong += fmt::format("{}{}: {} is {}, not {} {:g}", out.wrong.empty() ? "" : "; ", what, e.metric,
+                             number_text(n), relation, bound);
+  };
+  if (!(out.broken && *out.broken >= b.broken_at_least)) not_as("broken", out.broken, "at least", b.broken_at_least);
+  if (!(out.fixed && *out.fixed <= b.fixed_at_most)) not_as("fixed", out.fixed, "at most", b.fixed_at_most);
+  if (e.blind && !(out.blind && *out.blind <= e.blind->at_most))
+    not_as("where it hides", out.blind, "at most", e.blind->at_most);
+  return out;
+}
+
+}  // namespace gbl

@@ -1,0 +1,184 @@
+#include "renderer/study/pitfalls/pitfall_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/error.h"
+#include "renderer/frame/frame_lights.h"
+#include "renderer/truth/pixel_maths.h"
+#include "renderer/truth/reference.h"
+
+namespace gbl {
+namespace {
+
+const Truth& truth_in(const PitfallEvidence& e) { return *e.measured.truth; }
+Display display_of(const Settings& s) { return {s.exposure, s.colour}; }
+
+std::optional<double> share(size_t part, size_t of) {
+  return of == 0 ? std::nullopt : std::optional(static_cast<double>(part) / static_cast<double>(of));
+}
+
+// ---- as displayed, what is drawn forward included ------------------------------------------------------------------
+
+// Share of all pixels whose displayed colour is off by more codes of 255 than this.
+enum class Side { brighter, darker, either };
+std::optional<double> share_off(const PitfallEvidence& e, double codes, Side side) {
+  const Truth& truth = truth_in(e);
+  if (e.shown.size() != truth.pixels()) return {};
+  size_t off = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    const glm::dvec3 d = 255.0 * (glm::dvec3(e.shown[i]) - displayed(display_of(e.meant), truth.lit[i]));
+    const bool brighter = std::max({d.x, d.y, d.z}) > codes, darker = std::min({d.x, d.y, d.z}) < -codes;
+    off += !finite(d) || (side != Side::darker && brighter) || (side != Side::brighter && darker);
+  }
+  return share(off, truth.pixels());
+}
+std::optional<double> shown_off(const PitfallEvidence& e) { return share_off(e, 1, Side::either); }
+std::optional<double> shown_off_4(const PitfallEvidence& e) { return share_off(e, 4, Side::either); }
+std::optional<double> shown_brighter(const PitfallEvidence& e) { return share_off(e, 1, Side::brighter); }
+std::optional<double> shown_darker(const PitfallEvidence& e) { return share_off(e, 1, Side::darker); }
+
+// ---- shares of what an error counts --------------------------------------------------------------------------------
+
+std::optional<double> doubled_share(const PitfallEvidence& e) {
+  const double lit = lit_pixels(truth_in(e));
+  const std::optional<double>& doubled = e.measured.errors.doubled_pixels;
+  return lit > 0 && doubled ? std::optional(*doubled / lit) : std::nullopt;
+}
+
+std::optional<double> background_off_share(const PitfallEvidence& e) {
+  const Truth& truth = truth_in(e);
+  const auto empty = static_cast<size_t>(std::count(truth.present.begin(), truth.present.end(), 0));
+  return share(static_cast<size_t>(e.measured.errors.background_off_pixels.value_or(0)), empty);
+}
+
+std::optional<double> length_off(const PitfallEvidence& e) {
+  std::optional<double> most;
+  for (const double length : e.normal_lengths) most = std::max(most.value_or(0), std::abs(length - 1));
+  return most;
+}
+
+std::optional<double> odd_lengths(const PitfallEvidence& e) {
+  const auto odd = [](double length) { return std::abs(length - 1) > 0.01; };
+  const auto count = std::count_if(e.normal_lengths.begin(), e.normal_lengths.end(), odd);
+  return share(static_cast<size_t>(count), e.normal_lengths.size());
+}
+
+std::optional<double> shaded_per_lit(const PitfallEvidence& e) {
+  if (!e.pairs || e.pairs->lit.value_or(0) == 0) return {};
+  return static_cast<double>(e.pairs->shaded) / static_cast<double>(*e.pairs->lit);
+}
+
+// ---- markers of lights ---------------------------------------------------------------------------------------------
+
+constexpr double kMarkerEdge = 0.05;  // of the light's range: light_marker.vert
+
+// Of the markers whose middle is in the picture, how many are seen where a surface hides them, or not seen where none
+// does. A marker is seen where the shown picture is not what was lit. Left out are those close to a surface, since half of
+// their cube is before it, and those that are smaller than two pixels, since they may lie between pixels' centres.
+std::optional<double> markers_wrong(const PitfallEvidence& e) {
+  const Truth& truth = truth_in(e);
+  const Settings& s = e.setup.settings;
+  if (e.shown.size() != truth.pixels() || e.drawn.lit.size() != truth.pixels()) return {};
+  const double aspect = double(s.size.x) / s.size.y;
+  const glm::dmat4 clip = clip_from_relative(s.camera, aspect);
+  size_t markers = 0, wrong = 0;
+  for (const Light& l : true_lights(s, *e.setup.scene)) {
+    const glm::dvec3 relative = l.position - s.camera.position;
+    const glm::dvec4 at = clip * glm::dvec4(relative, 1);
+    if (l.kind == LightKind::directional || at.w < s.camera.near || at.w > s.camera.far) continue;
+    const glm::dvec2 place = (glm::dvec2(at) / at.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(s.size);
+    const glm::ivec2 pixel(glm::floor(place));
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= s.size.x || pixel.y >= s.size.y) continue;
+    const size_t i = static_cast<size_t>(pixel.y) * static_cast<size_t>(s.size.x) + static_cast<size_t>(pixel.x);
+    const double in_front = truth.present[i] ? glm::length(truth.position[i]) - glm::length(relative) : kEndless;
+    const double edge = kMarkerEdge * std::min(l.profile_range, l.range);
+    const double pixels_wide = edge * s.size.y / (2 * s.camera.half_height(aspect) * at.w);
+    if (std::abs(in_front) < edge || pixels_wide < 2) continue;
+    const glm::dvec3 of_lit = displayed(display_of(e.setup.settings), glm::dvec3(e.drawn.lit[i]));
+    const bool seen = largest_magnitude(255.0 * (glm::dvec3(e.shown[i]) - of_lit)) > 1;
+    ++markers, wrong += seen != (in_front > 0);
+  }
+  return share(wrong, markers);
+}
+
+// ---- kinks of a falloff --------------------------------------------------------------------------------------------
+
+// The sharpest bend of the reference's picture, in codes: |a - 2b + c| of three neighbours between which the first
+// light's distance passes a share of its range.
+struct Kink {
+  const Truth& truth;
+  Display display;
+  glm::dvec3 light;  // relative to the camera
+  double distance;
+  double most = 0;
+
+  bool within(size_t i) const { return glm::distance(truth.position[i], light) < distance; }
+  void look(size_t a, size_t b, size_t c) {
+    if (!truth.present[a] || !truth.present[b] || !truth.present[c] || within(a) == within(c)) return;
+    if (glm::dot(truth.normal[a], truth.normal[c]) < 1 - 1e-6) return;  // an edge bends by itself
+    const auto shown = [&](size_t i) { return displayed(display, truth.lit[i]); };
+    most = std::max(most, 255 * largest_magnitude(shown(a) - 2.0 * shown(b) + shown(c)));
+  }
+};
+
+std::optional<double> kink_at(const PitfallEvidence& e, double share_of_range) {
+  const Truth& truth = truth_in(e);
+  const Settings& s = e.setup.settings;
+  const std::vector<Light> lights = true_lights(s, *e.setup.scene);
+  if (lights.empty()) return {};
+  const Light& l = lights.front();
+  Kink kink{truth, display_of(e.meant), l.position - s.camera.position, share_of_range * l.profile_range};
+  const auto width = static_cast<size_t>(truth.size.x), height = static_cast<size_t>(truth.size.y);
+  for (size_t y = 1; y + 1 < height; ++y)
+    for (size_t x = 1; x + 1 < width; ++x) {
+      const size_t i = y * width + x;
+      kink.look(i - 1, i, i + 1), kink.look(i - width, i, i + width);
+    }
+  return kink.most;
+}
+std::optional<double> rim_kink(const PitfallEvidence& e) { return kink_at(e, 1); }
+std::optional<double> quarter_kink(const PitfallEvidence& e) { return kink_at(e, 0.25); }
+
+constexpr PitfallMetric kOwn[] = {
+    {"shown_off", "",
+     "share of pixels off by more than a code of 255 as displayed, background and forward draws included", shown_off},
+    {"shown_off_4", "", "the same by more than four codes", shown_off_4},
+    {"shown_brighter", "", "share of pixels more than a code of 255 too bright as displayed", shown_brighter},
+    {"shown_darker", "", "share of pixels more than a code of 255 too dark as displayed", shown_darker},
+    {"doubled_share", "", "share of the lit pixels with more than one and a half times their light", doubled_share},
+    {"background_off_share", "",
+     "share of the pixels without a surface that are brighter or darker than the background", background_off_share},
+    {"length_off", "", "largest difference of a stored normal's length from 1", length_off},
+    {"odd_lengths", "", "share of stored normals whose length is off by more than 0.01", odd_lengths},
+    {"shaded_per_lit", "", "pairs of pixel and light shaded over pairs lit", shaded_per_lit},
+    {"markers_wrong", "", "share of light markers that are seen and should be hidden, or the other way round",
+     markers_wrong},
+    {"rim_kink", "codes of 255", "sharpest bend at the first light's range in the reference, as displayed", rim_kink},
+    {"quarter_kink", "codes of 255", "sharpest bend at a quarter of the first light's range in the reference",
+     quarter_kink},
+};
+
+}  // namespace
+
+const PitfallMetric& pitfall_metric(std::string_view id) {
+  static const std::vector<PitfallMetric> metrics = [] {
+    std::vector<PitfallMetric> out(std::begin(kOwn), std::end(kOwn));
+    for (const SweepMetric& m : sweep_metrics()) out.push_back({m.id, m.unit, m.help, nullptr});
+    return out;
+  }();
+  std::vector<std::string_view> known;
+  for (const PitfallMetric& m : metrics) {
+    if (m.id == id) return m;
+    known.emplace_back(m.id);
+  }
+  throw Error(ExitCode::bad_input, "metric", std::string("unknown metric '").append(id).append("'"),
+              suggest(id, known));
+}
+
+std::optional<double> value_of(const PitfallMetric& metric, const PitfallEvidence& e) {
+  if (metric.value) return metric.value(e);
+  return value_of(sweep_metric(metric.id), e.setup, e.measured);
+}
+
+}  // namespace gbl
