@@ -74,6 +74,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_flag("--present", a.present,
                  "the picture fills the window, one caption in large type; Ctrl+Shift+P: everything");
     app.add_option("--lesson", a.lesson, "open this lesson (list lessons)");
+    app.add_option("--pitfall", a.pitfall, "open this pitfall, broken (list pitfalls)");
     app.add_flag("--fresh", a.fresh, "start as loaded and not where the window was left");
     add_number(app, "--frames", a.frames, "draw so many frames and leave", 0, kAnyInt);
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/background_advice.h"
+#include "app/background_pitfall.h"
 #include "app/background_study.h"
 #include "app/background_sweep.h"
 #include "renderer/base/error.h"
@@ -14,6 +15,7 @@ static constexpr double kMostFrameMs = 1500;
 
 std::vector<std::unique_ptr<BackgroundJob>> background_jobs(Lab& lab) {
   std::vector<std::unique_ptr<BackgroundJob>> jobs;
+  jobs.push_back(std::make_unique<BackgroundPitfall>(lab));
   jobs.push_back(std::make_unique<BackgroundSweep>(lab));
   jobs.push_back(std::make_unique<BackgroundAdvice>(lab));
   jobs.push_back(std::make_unique<BackgroundStudy>(lab));

@@ -4,9 +4,11 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/pitfall_bench.h"
+#include "app/pitfall_strip.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
-#include "renderer/study/pitfalls/judge.h"
+#include "renderer/study/pitfalls/pages.h"
 
 namespace gbl {
 namespace {
@@ -47,6 +49,19 @@ void print(const PitfallEntry& e, const PitfallResult& r) {
   if (!r.holds()) fmt::print("         {}\n", r.wrong);
 }
 
+// Of those that were drawn; the index only of all of them.
+void write_pages(const std::filesystem::path& folder, const Arguments& a, const std::vector<JudgedPitfall>& judged,
+                 glm::ivec2 size, const std::string& device) {
+  Lab lab(without_of(a));
+  for (const JudgedPitfall& j : judged) {
+    if (!j.result.skipped.empty()) continue;
+    const PitfallStrip strip = draw_strip(lab, j.entry);
+    write_strip(folder / (j.entry.id + ".png"), strip);
+    write_text_file(folder / (j.entry.id + ".md"), pitfall_page(j, strip.most_codes, size, device));
+  }
+  if (a.pitfalls.empty()) write_text_file(folder / "README.md", pitfall_index(judged, size, device));
+}
+
 }  // namespace
 
 ExitCode run_pitfalls(const Arguments& a) {
@@ -56,16 +71,19 @@ ExitCode run_pitfalls(const Arguments& a) {
     return ExitCode::done;
   }
   const glm::ivec2 size = size_from(a);
+  if (a.output) make_folder(*a.output);  // before the work: a folder that cannot be written is known at once
   const HeadlessContext context;
   Renderer renderer;
   PitfallBench bench(renderer, gl::probe_device(without_of(a)));
   const auto measure = [&](const Settings& drawn, const Settings& meant) { return bench.measure(drawn, meant); };
+  std::vector<JudgedPitfall> judged;
   Json all = Json::array();
   bool all_hold = true;
   size_t skipped = 0;
   for (const PitfallEntry& e : entries) {
     const PitfallResult r = judge_pitfall(e, size, bench.limits(), bench.rounding(), measure);
     all_hold = all_hold && r.holds(), skipped += !r.skipped.empty();
+    judged.push_back({e, r});
     if (a.json)
       all.push_back(json_of(e, r));
     else
@@ -73,6 +91,7 @@ ExitCode run_pitfalls(const Arguments& a) {
   }
   if (a.json) fmt::print("{}\n", all.dump(2));
   if (!a.json && skipped > 0) fmt::print("{} of {} skipped\n", skipped, entries.size());
+  if (a.output) write_pages(*a.output, a, judged, size, bench.machine().device);
   return all_hold ? ExitCode::done : ExitCode::check_failed;
 }
 

@@ -79,6 +79,7 @@ class Loop {
     for (const auto& file : {a.scene, a.rig, a.state})
       if (file && (file != a.scene || is_file(*file))) remember(session_.recent, *file);
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
+    if (!a.pitfall.empty()) ui_.open_pitfall(a.pitfall, settings_);
     settings_.size = {800, 450};
     ui::Requests first;  // something to show in the very first frame
     first.visible.fill(true);

@@ -43,9 +43,9 @@ struct Arguments {
   bool apply = false;                        // of `advise`: write the settings
   std::optional<std::string> shard;          // of `study`: "i/n"
   bool present = false, fresh = false;
-  std::string lesson;
-  std::optional<int> frames;  // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none
-  bool no_truth = false;      // of `bench`: without the reference
+  std::string lesson, pitfall;  // of `view`: open this one
+  std::optional<int> frames;    // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none
+  bool no_truth = false;        // of `bench`: without the reference
   std::optional<std::filesystem::path> docs;  // of `list`: the folder of the documents' tables
 };
 

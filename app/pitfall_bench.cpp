@@ -26,18 +26,6 @@ std::vector<glm::vec3> displayed_picture(const gl::Texture& radiance, const Disp
   return out;
 }
 
-// Of normals that are stored as they are, in three channels; those of the cleared background are 0 long.
-std::vector<double> stored_lengths(const Settings& s, const Targets& targets) {
-  const EncodingRow& encoding = row_of(s.normal.encoding);
-  const gl::Texture* normals = targets.frame.texture(Stores::normal);
-  if (!normals || encoding.storage() != NormalStorage::floats || encoding.channels != 3) return {};
-  std::vector<double> out;
-  const std::vector<float> texels = gl::read_rgba32f(*normals);
-  for (size_t i = 0; i < texels.size(); i += 4)
-    if (const double l = glm::length(glm::dvec3(texels[i], texels[i + 1], texels[i + 2])); l > 0) out.push_back(l);
-  return out;
-}
-
 }  // namespace
 
 DeviceRounding device_rounding() {
@@ -54,13 +42,13 @@ const GpuScene& PitfallBench::scene(const std::string& name) {
   return *kept;
 }
 
-PitfallEvidence PitfallBench::measure(const Settings& drawn, const Settings& meant) {
+std::optional<PitfallEvidence> PitfallBench::measured(const Settings& drawn, const Settings& meant, bool wait) {
   const GpuScene& in = scene(drawn.scene);
-  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, in, meant, true);
+  const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, in, meant, wait);
+  if (!truth) return {};
   FrameReport report = renderer_.render(drawn, in, targets_);
   PitfallEvidence out{.setup = {drawn, in.shared_scene()}, .meant = meant};
   out.shown = displayed_picture(targets_.canvases.shown(targets_.frame), {drawn.exposure, drawn.colour});
-  out.normal_lengths = stored_lengths(drawn, targets_);
   renderer_.count_pairs(drawn, in, targets_, true);
   renderer_.collect(targets_, report, true);
   out.pairs = report.pairs;

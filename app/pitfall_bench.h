@@ -14,12 +14,18 @@ class PitfallBench {
   // The device's current context; the renderer may draw for others, too.
   PitfallBench(Renderer&, const gl::Device&);
 
-  PitfallEvidence measure(const Settings& drawn, const Settings& meant);
+  PitfallEvidence measure(const Settings& drawn, const Settings& meant) { return *measured(drawn, meant, true); }
+  // The same in slices: empty while the reference is being made.
+  std::optional<PitfallEvidence> try_measure(const Settings& drawn, const Settings& meant) {
+    return measured(drawn, meant, false);
+  }
+  void stop() { truths_.stop(); }  // gives the reference up that is being made
   DeviceLimits limits() const { return {device_.features, device_.max_size, device_.max_draw_buffers}; }
   DeviceRounding rounding() const { return rounding_; }
   Machine machine() const { return {device_.version, device_.renderer}; }
 
  private:
+  std::optional<PitfallEvidence> measured(const Settings& drawn, const Settings& meant, bool wait);
   const GpuScene& scene(const std::string& name);
 
   gl::Device device_;

@@ -11,7 +11,7 @@ bool goes_on(const Arguments& a) {
   return !says_what && !a.fresh && is_remembered(a);
 }
 
-bool is_remembered(const Arguments& a) { return !a.present && a.lesson.empty(); }
+bool is_remembered(const Arguments& a) { return !a.present && a.lesson.empty() && a.pitfall.empty(); }
 
 Start start_of(const Arguments& a, SessionKeeper& keeper, const LoadProgress* progress) {
   Start start{setup_of(a, progress), {}, nullptr};

@@ -118,9 +118,10 @@ void choice_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z, 
   draw_choice(f, o, box, z.px);
   const Box note{{box.min.x, box.max.y + 1}, {box.max.x, box.max.y + 1 + z.note}};
   const std::string mark = sound_mark(o, f.settings);
-  if (!mark.empty())
+  if (!mark.empty()) {
     f.painter.text_in(note, z.small(), theme().unsound, mark);
-  else
+    if (hit_area(fmt::format("{}.why", path).c_str(), note)) explain_unsound(f, o);
+  } else
     f.painter.text_in(note, z.small(), theme().dim, in_use(o, f.settings) ? "sound" : "not used by this method");
   at.y += z.note;
 }

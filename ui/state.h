@@ -144,9 +144,10 @@ void show_view(FrameContext&, View);  // alone; again: all views
 std::vector<LookOf> page_of(const Settings& stored, size_t page);
 size_t pages_of(const Settings& stored);
 
-void open_lesson(State&, Settings&, Lesson);     // at its first step
-void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
-void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
+void open_pitfall(State&, Settings&, std::string_view id);  // broken, in its panel; Error with the known ones
+void open_lesson(State&, Settings&, Lesson);                // at its first step
+void show_step(State&, Settings&, size_t step);             // of the open lesson; the size stays
+void advance_motion(FrameContext&);                         // time, glide and camera keys, once a frame
 
 void ask_figure(FrameContext&);  // of the chosen panel, if a key has asked for it
 
@@ -180,6 +181,7 @@ float status_height(const Type&);
 // A widget in a box: a choice's combo (unsound rows marked, unavailable ones disabled with the reason).
 void draw_choice(FrameContext&, const Option&, const Box&, float px);
 std::string sound_mark(const Option&, const Settings&);  // "⚠ unsound: pitfall" or ""
+void explain_unsound(FrameContext&, const Option&);      // opens the pitfall that its value shows
 
 // A line to type in, over the whole box; true when Enter was pressed in it. It loses the keyboard then. `put` is a text
 // that takes the place of what is typed; it is taken once the field has the keyboard.

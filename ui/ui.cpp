@@ -122,6 +122,8 @@ void Ui::set_bookmarks(const Bookmarks& kept) { state_->bookmarks = kept; }
 
 void Ui::open_lesson(std::string_view id, Settings& settings) { ui::open_lesson(*state_, settings, load_lesson(id)); }
 
+void Ui::open_pitfall(std::string_view id, Settings& settings) { ui::open_pitfall(*state_, settings, id); }
+
 void Ui::compare_with(std::string file) { set_b_to_file(state_->comparison, std::move(file)); }
 
 bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }

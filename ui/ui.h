@@ -23,6 +23,7 @@
 #include "ui/compare_io.h"
 #include "ui/outside_io.h"
 #include "ui/path_io.h"
+#include "ui/pitfall_io.h"
 #include "ui/stability_io.h"
 
 namespace gbl::ui {
@@ -58,9 +59,10 @@ struct Input {
   const CompareInput* compare = nullptr;             // null: nothing is compared
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
   double truth_progress = 1;                         // of the reference that is being made; 1: none is
-  const ChartInput* chart = nullptr;                 // these three null: nothing is ever measured here
+  const ChartInput* chart = nullptr;                 // these four null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
+  const PitfallInput* pitfall = nullptr;
   const PathInput* path = nullptr;  // null: no file is ever opened here
   std::string message;              // an error or a notice to show until the next key; empty = none
   bool message_is_error = false;
@@ -113,6 +115,7 @@ struct Requests {
   ChartRequest chart;
   StabilityRequest stability;
   AdvisorRequest advisor;
+  PitfallRequest pitfall;
   PathRequest path;
 };
 
@@ -141,9 +144,10 @@ class Ui {
   const Bookmarks& bookmarks() const;
   void set_bookmarks(const Bookmarks&);
 
-  void compare_with(std::string file);               // a picture becomes B
-  void open_lesson(std::string_view id, Settings&);  // Error with the known ones
-  bool moving(const Settings&) const;                // time runs, a glide is under way or a camera key is held
+  void compare_with(std::string file);                // a picture becomes B
+  void open_lesson(std::string_view id, Settings&);   // Error with the known ones
+  void open_pitfall(std::string_view id, Settings&);  // the same
+  bool moving(const Settings&) const;                 // time runs, a glide is under way or a camera key is held
 
   bool is_open(std::string_view panel) const;  // by its id
   // Texts that did not fit their place in the last frame at any legible size. Tests demand none.

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/docs_pages.h"
+#include "renderer/study/pitfalls/pages.h"
 #include "tests/test_paths.h"
 
 namespace gbl {
@@ -29,6 +30,29 @@ TEST(Documents, EveryTableIsWhatTheProgramPrints) {
   }
   for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() / "docs/tables"))
     EXPECT_TRUE(written.count(entry.path().filename().string())) << entry.path() << " belongs to no page";
+}
+
+// Without what was measured: numbers, and where.
+std::string words_of_page(const std::string& page) {
+  static const std::regex kMeasured(R"(Measured at [^\n]*|[Bb]oth are judged by[^\n]*|not measured|up to \d+ codes)");
+  static const std::regex kNumbers(R"(-?\d+(\.\d+)?(e[+-]\d+)?|inf)");
+  return std::regex_replace(std::regex_replace(page, kMeasured, "#"), kNumbers, "#");
+}
+
+TEST(Documents, EveryPitfallHasItsPageAndItsPicture) {
+  std::vector<JudgedPitfall> all;
+  std::set<std::string> written = {"README.md"};
+  for (const PitfallEntry& e : load_pitfalls()) {
+    all.push_back({e, {}});
+    EXPECT_EQ(words_of_page(text_of("docs/pitfalls/" + e.id + ".md")),
+              words_of_page(pitfall_page(all.back(), 0, {}, "")))
+        << "run: gbufferlab pitfalls -o docs/pitfalls";
+    EXPECT_LE(std::filesystem::file_size(test::source_folder() / "docs/pitfalls" / (e.id + ".png")), 120'000u) << e.id;
+    written.insert(e.id + ".md"), written.insert(e.id + ".png");
+  }
+  EXPECT_EQ(words_of_page(text_of("docs/pitfalls/README.md")), words_of_page(pitfall_index(all, {}, "")));
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() / "docs/pitfalls"))
+    EXPECT_TRUE(written.count(entry.path().filename().string())) << entry.path() << " belongs to no pitfall";
 }
 
 // Relative links of a Markdown file: [words](path) and ![words](path).

@@ -78,7 +78,11 @@ void draw_row(FrameContext& f, Painter& p, const Box& row, const std::vector<con
   if (o.kind != Kind::choice) return draw_field(f, o, widget, z.px);
   const bool unsound = !sound_mark(o, f.settings).empty();
   const float sign = text_size(kUnsoundSign, z.px).x * 1.2f;
-  if (unsound) p.text({widget.max.x - sign, top}, z.px, theme().unsound, kUnsoundSign);
+  if (unsound) {
+    p.text({widget.max.x - sign, top}, z.px, theme().unsound, kUnsoundSign);
+    if (hit_area(fmt::format("{}.why", o.path).c_str(), {{widget.max.x - sign, widget.min.y}, widget.max}))
+      return explain_unsound(f, o);
+  }
   draw_choice(f, o, {widget.min, {widget.max.x - sign, widget.max.y}}, z.px);
 }
 

@@ -13,6 +13,7 @@ namespace gbl::ui {
   PANEL(Path)             \
   PANEL(Lessons)          \
   PANEL(Overlays)         \
+  PANEL(Pitfalls)         \
   PANEL(Compare)          \
   PANEL(Options)          \
   PANEL(Help)             \

@@ -12,6 +12,19 @@ PitfallBounds bounds_on(const PitfallEntry& e, const DeviceRounding& rounding) {
 
 std::string number_text(std::optional<double> n) { return n ? fmt::format("{:.4g}", *n) : "not measured"; }
 
+std::string judge_numbers(const PitfallEntry& e, const PitfallBounds& b, std::optional<double> broken,
+                          std::optional<double> fixed, std::optional<double> blind) {
+  std::string wrong;
+  const auto not_as = [&](const char* what, std::optional<double> n, const char* relation, double bound) {
+    wrong += fmt::format("{}{}: {} is {}, not {} {:g}", wrong.empty() ? "" : "; ", what, e.metric, number_text(n),
+                         relation, bound);
+  };
+  if (!(broken && *broken >= b.broken_at_least)) not_as("broken", broken, "at least", b.broken_at_least);
+  if (!(fixed && *fixed <= b.fixed_at_most)) not_as("fixed", fixed, "at most", b.fixed_at_most);
+  if (e.blind && !(blind && *blind <= e.blind->at_most)) not_as("where it hides", blind, "at most", e.blind->at_most);
+  return wrong;
+}
+
 PitfallResult judge_pitfall(const PitfallEntry& e, glm::ivec2 size, const DeviceLimits& limits,
                             const DeviceRounding& rounding, const PitfallMeasureFn& measure) {
   PitfallResult out;
@@ -30,15 +43,7 @@ PitfallResult judge_pitfall(const PitfallEntry& e, glm::ivec2 size, const Device
   if (e.blind) out.blind = number_of(PitfallSide::blind);
   if (!out.skipped.empty()) return out;
 
-  const PitfallBounds b = bounds_on(e, rounding);
-  const auto not_as = [&](const char* what, std::optional<double> n, const char* relation, double bound) {
-    out.wrong += fmt::format("{}{}: {} is {}, not {} {:g}", out.wrong.empty() ? "" : "; ", what, e.metric,
-                             number_text(n), relation, bound);
-  };
-  if (!(out.broken && *out.broken >= b.broken_at_least)) not_as("broken", out.broken, "at least", b.broken_at_least);
-  if (!(out.fixed && *out.fixed <= b.fixed_at_most)) not_as("fixed", out.fixed, "at most", b.fixed_at_most);
-  if (e.blind && !(out.blind && *out.blind <= e.blind->at_most))
-    not_as("where it hides", out.blind, "at most", e.blind->at_most);
+  out.wrong = judge_numbers(e, bounds_on(e, rounding), out.broken, out.fixed, out.blind);
   return out;
 }
 

@@ -19,6 +19,10 @@ struct PitfallResult {
 
 PitfallBounds bounds_on(const PitfallEntry&, const DeviceRounding&);
 
+// What is not as catalogued, in words; empty: all is.
+std::string judge_numbers(const PitfallEntry&, const PitfallBounds&, std::optional<double> broken,
+                          std::optional<double> fixed, std::optional<double> blind);
+
 // Draws `drawn`, and judges it by the truth of `meant`. Errors are thrown on.
 using PitfallMeasureFn = std::function<PitfallEvidence(const Settings& drawn, const Settings& meant)>;
 
@@ -26,7 +30,7 @@ using PitfallMeasureFn = std::function<PitfallEvidence(const Settings& drawn, co
 PitfallResult judge_pitfall(const PitfallEntry&, glm::ivec2 size, const DeviceLimits&, const DeviceRounding&,
                             const PitfallMeasureFn&);
 
-// "0.374 of the lit pixels"; "not measured".
+// "0.374"; "not measured".
 std::string number_text(std::optional<double>);
 
 }  // namespace gbl

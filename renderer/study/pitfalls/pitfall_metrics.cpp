@@ -52,18 +52,6 @@ std::optional<double> background_off_share(const PitfallEvidence& e) {
   return share(static_cast<size_t>(e.measured.errors.background_off_pixels.value_or(0)), empty);
 }
 
-std::optional<double> length_off(const PitfallEvidence& e) {
-  std::optional<double> most;
-  for (const double length : e.normal_lengths) most = std::max(most.value_or(0), std::abs(length - 1));
-  return most;
-}
-
-std::optional<double> odd_lengths(const PitfallEvidence& e) {
-  const auto odd = [](double length) { return std::abs(length - 1) > 0.01; };
-  const auto count = std::count_if(e.normal_lengths.begin(), e.normal_lengths.end(), odd);
-  return share(static_cast<size_t>(count), e.normal_lengths.size());
-}
-
 std::optional<double> shaded_per_lit(const PitfallEvidence& e) {
   if (!e.pairs || e.pairs->lit.value_or(0) == 0) return {};
   return static_cast<double>(e.pairs->shaded) / static_cast<double>(*e.pairs->lit);
@@ -73,33 +61,51 @@ std::optional<double> shaded_per_lit(const PitfallEvidence& e) {
 
 constexpr double kMarkerEdge = 0.05;  // of the light's range: light_marker.vert
 
+struct Marker {
+  glm::dvec2 place;    // of its middle, in pixels from the top left
+  double half_width;   // in pixels
+  double edge, range;  // world units; from the camera to its middle
+};
+
+std::vector<Marker> markers_before_camera(const Settings& s, const Scene& scene) {
+  const double aspect = double(s.size.x) / s.size.y;
+  const glm::dmat4 clip = clip_from_relative(s.camera, aspect);
+  std::vector<Marker> out;
+  for (const Light& l : true_lights(s, scene)) {
+    const glm::dvec3 relative = l.position - s.camera.position;
+    const glm::dvec4 at = clip * glm::dvec4(relative, 1);
+    if (l.kind == LightKind::directional || at.w < s.camera.near || at.w > s.camera.far) continue;
+    const double edge = kMarkerEdge * std::min(l.profile_range, l.range);
+    out.push_back({(glm::dvec2(at) / at.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(s.size),
+                   edge * s.size.y / (4 * s.camera.half_height(aspect) * at.w), edge, glm::length(relative)});
+  }
+  return out;
+}
+
 // Of the markers whose middle is in the picture, how many are seen where a surface hides them, or not seen where none
-// does. A marker is seen where the shown picture is not what was lit. Left out are those close to a surface, since half of
-// their cube is before it, and those that are smaller than two pixels, since they may lie between pixels' centres.
+// does. A marker is seen where the shown picture is not what was lit. Left out are those close to a surface or behind
+// another marker, and those smaller than two pixels, since they may lie between pixels' centres.
 std::optional<double> markers_wrong(const PitfallEvidence& e) {
   const Truth& truth = truth_in(e);
   const Settings& s = e.setup.settings;
   if (e.shown.size() != truth.pixels() || e.drawn.lit.size() != truth.pixels()) return {};
-  const double aspect = double(s.size.x) / s.size.y;
-  const glm::dmat4 clip = clip_from_relative(s.camera, aspect);
-  size_t markers = 0, wrong = 0;
-  for (const Light& l : true_lights(s, *e.setup.scene)) {
-    const glm::dvec3 relative = l.position - s.camera.position;
-    const glm::dvec4 at = clip * glm::dvec4(relative, 1);
-    if (l.kind == LightKind::directional || at.w < s.camera.near || at.w > s.camera.far) continue;
-    const glm::dvec2 place = (glm::dvec2(at) / at.w * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(s.size);
-    const glm::ivec2 pixel(glm::floor(place));
-    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= s.size.x || pixel.y >= s.size.y) continue;
+  const std::vector<Marker> markers = markers_before_camera(s, *e.setup.scene);
+  size_t judged = 0, wrong = 0;
+  for (const Marker& m : markers) {
+    const glm::ivec2 pixel(glm::floor(m.place));
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= s.size.x || pixel.y >= s.size.y || m.half_width < 1) continue;
     const size_t i = static_cast<size_t>(pixel.y) * static_cast<size_t>(s.size.x) + static_cast<size_t>(pixel.x);
-    const double in_front = truth.present[i] ? glm::length(truth.position[i]) - glm::length(relative) : kEndless;
-    const double edge = kMarkerEdge * std::min(l.profile_range, l.range);
-    const double pixels_wide = edge * s.size.y / (2 * s.camera.half_height(aspect) * at.w);
-    if (std::abs(in_front) < edge || pixels_wide < 2) continue;
-    const glm::dvec3 of_lit = displayed(display_of(e.setup.settings), glm::dvec3(e.drawn.lit[i]));
+    const double in_front = truth.present[i] ? glm::length(truth.position[i]) - m.range : kEndless;
+    const auto covers = [&](const Marker& o) {
+      const glm::dvec2 off = glm::abs(o.place - m.place);
+      return &o != &m && std::max(off.x, off.y) < 2 * o.half_width;  // a cube seen from a corner is wider than its edge
+    };
+    if (std::abs(in_front) < m.edge || std::any_of(markers.begin(), markers.end(), covers)) continue;
+    const glm::dvec3 of_lit = displayed(display_of(s), glm::dvec3(e.drawn.lit[i]));
     const bool seen = largest_magnitude(255.0 * (glm::dvec3(e.shown[i]) - of_lit)) > 1;
-    ++markers, wrong += seen != (in_front > 0);
+    ++judged, wrong += seen != (in_front > 0);
   }
-  return share(wrong, markers);
+  return share(wrong, judged);
 }
 
 // ---- kinks of a falloff --------------------------------------------------------------------------------------------
@@ -116,7 +122,10 @@ struct Kink {
   bool within(size_t i) const { return glm::distance(truth.position[i], light) < distance; }
   void look(size_t a, size_t b, size_t c) {
     if (!truth.present[a] || !truth.present[b] || !truth.present[c] || within(a) == within(c)) return;
-    if (glm::dot(truth.normal[a], truth.normal[c]) < 1 - 1e-6) return;  // an edge bends by itself
+    const glm::dvec3 across = truth.position[c] - truth.position[a];
+    const bool one_plane = glm::dot(truth.normal[a], truth.normal[c]) > 1 - 1e-6 &&
+                           std::abs(glm::dot(truth.normal[a], across)) < 1e-3 * glm::length(across);
+    if (!one_plane) return;  // an edge bends by itself
     const auto shown = [&](size_t i) { return displayed(display, truth.lit[i]); };
     most = std::max(most, 255 * largest_magnitude(shown(a) - 2.0 * shown(b) + shown(c)));
   }
@@ -143,14 +152,12 @@ std::optional<double> quarter_kink(const PitfallEvidence& e) { return kink_at(e,
 constexpr PitfallMetric kOwn[] = {
     {"shown_off", "",
      "share of pixels off by more than a code of 255 as displayed, background and forward draws included", shown_off},
-    {"shown_off_4", "", "the same by more than four codes", shown_off_4},
+    {"shown_off_4", "", "share of pixels off by more than four codes of 255 as displayed", shown_off_4},
     {"shown_brighter", "", "share of pixels more than a code of 255 too bright as displayed", shown_brighter},
     {"shown_darker", "", "share of pixels more than a code of 255 too dark as displayed", shown_darker},
     {"doubled_share", "", "share of the lit pixels with more than one and a half times their light", doubled_share},
     {"background_off_share", "",
      "share of the pixels without a surface that are brighter or darker than the background", background_off_share},
-    {"length_off", "", "largest difference of a stored normal's length from 1", length_off},
-    {"odd_lengths", "", "share of stored normals whose length is off by more than 0.01", odd_lengths},
     {"shaded_per_lit", "", "pairs of pixel and light shaded over pairs lit", shaded_per_lit},
     {"markers_wrong", "", "share of light markers that are seen and should be hidden, or the other way round",
      markers_wrong},

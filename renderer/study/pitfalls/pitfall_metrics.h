@@ -15,8 +15,7 @@ struct PitfallEvidence {
   Settings meant;          // whose truth judges
   Measured measured = {};  // against it
   Drawn drawn = {};
-  std::vector<glm::vec3> shown = {};        // as displayed, drawn forward objects included: 0..1, rows top to bottom
-  std::vector<double> normal_lengths = {};  // of the normals as stored, where they are stored as they are
+  std::vector<glm::vec3> shown = {};  // as displayed, drawn forward objects included: 0..1, rows top to bottom
   std::optional<PairCounts> pairs = {};
 };
 
