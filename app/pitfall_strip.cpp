@@ -146,7 +146,10 @@ void write_strip(const fs::path& path, const PitfallStrip& strip) {
   tried += ".tmp";
   for (const int width : {400, 360, 320, 288, 256, 224, 192, 160, 128}) {
     const Image picture = beside(strip, width);
-    if (shows_the_same(path, picture)) return;
+    if (shows_the_same(path, picture)) {
+      fs::remove(tried);
+      return;
+    }
     write_png(tried, picture);
     if (fs::file_size(tried) <= kMostBytes) break;
   }
