@@ -12,20 +12,6 @@ StoreRounding rounding_of(gl::Rounding r) {
   return r == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
 }
 
-// Rows top to bottom.
-std::vector<glm::vec3> displayed_picture(const gl::Texture& radiance, const Display& display) {
-  const std::vector<float> texels = gl::read_rgba32f(radiance);
-  const auto width = static_cast<size_t>(radiance.size.x), height = static_cast<size_t>(radiance.size.y);
-  std::vector<glm::vec3> out;
-  out.reserve(width * height);
-  for (size_t y = height; y-- > 0;)
-    for (size_t x = 0; x < width; ++x) {
-      const float* t = &texels[4 * (y * width + x)];
-      out.emplace_back(displayed(display, glm::dvec3(t[0], t[1], t[2])));
-    }
-  return out;
-}
-
 }  // namespace
 
 DeviceRounding device_rounding() {
@@ -48,12 +34,14 @@ std::optional<PitfallEvidence> PitfallBench::measured(const Settings& drawn, con
   if (!truth) return {};
   FrameReport report = renderer_.render(drawn, in, targets_);
   PitfallEvidence out{.setup = {drawn, in.shared_scene()}, .meant = meant};
-  out.shown = displayed_picture(targets_.canvases.shown(targets_.frame), {drawn.exposure, drawn.colour});
   renderer_.count_pairs(drawn, in, targets_, true);
   renderer_.collect(targets_, report, true);
   out.pairs = report.pairs;
   out.drawn = read_drawn(renderer_, drawn, in, targets_, true);
-  out.measured = {gbl::measure(truth->truth, out.drawn, {drawn.exposure, drawn.colour}), {truth, &truth->truth}};
+  for (const glm::vec3& radiance : out.drawn.shown)
+    out.shown.emplace_back(displayed({drawn.exposure, drawn.colour}, radiance));
+  out.measured = {
+      gbl::measure(truth->truth, out.drawn, {drawn.exposure, drawn.colour}), {truth, &truth->truth}, out.drawn.lit};
   return out;
 }
 

@@ -27,7 +27,7 @@ std::optional<Measured> StabilityBench::measure(const SweepSetup& setup, bool wa
   FrameReport report = renderer_.render(s, scene, targets_);
   const Drawn drawn = read_drawn(renderer_, s, scene, targets_, true);
   renderer_.collect(targets_, report, true);
-  return Measured{gbl::measure(truth->truth, drawn, {s.exposure, s.colour}), {truth, &truth->truth}};
+  return Measured{gbl::measure(truth->truth, drawn, {s.exposure, s.colour}), {truth, &truth->truth}, drawn.lit};
 }
 
 Measured StabilityBench::measure(const SweepSetup& setup) { return *measure(setup, true); }

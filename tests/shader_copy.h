@@ -38,6 +38,14 @@ class ShaderCopy {
     write_text_file(folder_ / name, text.substr(0, at) + line + "\n" + text.substr(at));
     return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
   }
+  // Puts a text in the place of another that stands there once.
+  void replace(const char* name, const std::string& old, const std::string& by) {
+    std::string text(resource(name));
+    const size_t at = text.find(old);
+    if (at == std::string::npos || text.find(old, at + 1) != std::string::npos)
+      throw std::invalid_argument(fmt::format("{} does not hold '{}' once", name, old));
+    write_text_file(folder_ / name, text.replace(at, old.size(), by));
+  }
   void restore(const char* name) { write_text_file(folder_ / name, std::string(embedded_bytes(name))); }
 
  private:

@@ -26,6 +26,7 @@ inline Pair wall(glm::ivec2 size) {
   t.specular.assign(n, glm::dvec3(0)), t.albedo.assign(n, glm::dvec3(0.5)), t.roughness.assign(n, 0.5);
   t.normal.assign(n, glm::dvec3(0, 0, 1)), t.position.assign(n, glm::dvec3(0, 0, -4));
   p.drawn.lit.assign(n, glm::vec3(0.5f)), p.drawn.unlit.assign(n, glm::vec3(0.25f));
+  p.drawn.shown = p.drawn.lit;
   p.drawn.normal.assign(n, glm::vec3(0, 0, 1)), p.drawn.position.assign(n, glm::vec3(0, 0, -4));
   p.drawn.seen.assign(n, {1, 0});
   return p;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/options/presets.h"
+#include "renderer/study/pitfalls/watch.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -20,8 +21,12 @@ std::string source_in_words(const std::string& id) {
   return id == "cpu-clock" ? "CPU clock" : id;
 }
 
-std::vector<Number> numbers(const FrameReport& r, bool pass_by_pass) {
+std::vector<Number> numbers(const FrameContext& f, bool pass_by_pass) {
+  const FrameReport& r = f.input.report;
   std::vector<Number> n;
+  const double aspect = double(f.settings.size.x) / f.settings.size.y;
+  if (const std::optional<Watched> w = watched(f.settings, f.input.lights, aspect))
+    n.push_back({kUnsoundSign, fmt::format("{} ({}; P explains it)", w->sentence, w->pitfall)});
   n.push_back({"bytes per pixel",
                fmt::format("{} G-buffer + {} light", r.gbuffer_bytes_per_pixel, r.accumulation_bytes_per_pixel)});
   if (!r.method_reason.empty())
@@ -164,9 +169,9 @@ void draw_numbers(FrameContext& f, const Box& column, ImVec2 at, const std::vect
 
 void draw_control_column(FrameContext& f) {
   const Box column = f.layout.column.inset(std::round(12 * f.layout.unit));
-  std::vector<Number> ns = numbers(f.input.report, true);
+  std::vector<Number> ns = numbers(f, true);
   Sizes z(f.type.body);
-  if (column_height(ns, column.width(), z) > column.height()) ns = numbers(f.input.report, false);
+  if (column_height(ns, column.width(), z) > column.height()) ns = numbers(f, false);
   while (column_height(ns, column.width(), z) > column.height() && z.px > kSmallestPx) z = Sizes(z.px - 1);
   if (column_height(ns, column.width(), z) > column.height()) f.state.cut_texts.emplace_back("the control column");
   ImVec2 at = column.min;

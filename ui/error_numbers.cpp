@@ -33,9 +33,16 @@ std::string numbers_text(const ErrorStats& e) {
   return text;
 }
 
+bool draws_forward(const FrameContext& f) {
+  const std::vector<Material>& all = f.input.scene.materials;
+  return f.settings.lights.markers == LightMarkers::on ||
+         std::any_of(all.begin(), all.end(), [](const Material& m) { return m.alpha_mode == AlphaMode::blend; });
+}
+
 void draw_stats(FrameContext& f, const Box& panel, const ErrorStats& stats) {
   const float px = f.type.body, line = line_height(px), pad = std::round(px * 0.5f);
-  const std::string text = numbers_text(stats);
+  std::string text = numbers_text(stats);
+  if (draws_forward(f)) text += "   glass and light cubes are not judged";
   const std::string worst =
       stats.worst.x < 0
           ? "no surface is compared"

@@ -21,7 +21,7 @@ LayoutInput layout_input(const State& s, const Settings& settings, const Setting
           .page = s.page == 0 ? settings.view.panels : page_of(stored, s.page),
           .hidden = s.hidden,
           .present = s.present,
-          .beside = panel_beside(s),
+          .beside = panel_beside(s) || (s.present && letters_are_a_panels(s)),  // large type needs half of the screen
           .status_height = s.present ? 0 : status_height(type)};
 }
 

@@ -150,6 +150,7 @@ std::vector<glm::vec3> read_lit(const Targets& t) {
 Drawn read_drawn(Renderer& renderer, const Settings& drawn, const GpuScene& scene, Targets& targets, bool unlit) {
   Drawn out;
   out.lit = read_lit(targets);
+  out.shown = rows_from_top<glm::vec3>(targets.frame.size(), gl::read_rgba32f(targets.canvases.shown(targets.frame)));
   gl::Texture normal = gl::make_texture({.size = drawn.size, .format = Format::rgba32f, .label = "decoded.normal"});
   gl::Texture position = gl::make_texture({.size = drawn.size, .format = Format::rgba32f, .label = "decoded.position"});
   const gl::Framebuffer into = gl::make_framebuffer({.colours = {&normal, &position}, .label = "decoded"});

@@ -42,6 +42,7 @@ constexpr ErrorColumn kColumns[] = {
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
     {"background_off_pixels", "", "pixels without a surface that are brighter or darker than the background", &Errors::background_off_pixels},
     {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
+    {"blended_pixels", "", "pixels drawn forward after the lighting, glass and light cubes: in `final`, and not judged", &Errors::blended_pixels, ErrorKind::basis},
     {"compared_pixels", "", "pixels with a surface: those that are judged", &Errors::compared_pixels, ErrorKind::basis},
 };
 // clang-format on
@@ -105,6 +106,14 @@ void count_nonfinite_and_background(Errors& e, const Truth& truth, const std::ve
   }
   e.nonfinite_pixels = static_cast<double>(nonfinite), e.background_lit_pixels = static_cast<double>(background_lit);
   e.background_off_pixels = static_cast<double>(background_off);
+}
+
+// What is shown there is not what was lit.
+double count_blended(const Drawn& drawn) {
+  size_t blended = 0;
+  for (size_t i = 0; i < drawn.lit.size(); ++i)
+    blended += finite(drawn.lit[i]) && finite(drawn.shown[i]) && drawn.shown[i] != drawn.lit[i];
+  return static_cast<double>(blended);
 }
 
 // ---- lit, as displayed ----------------------------------------------------------------------------------------------
@@ -201,6 +210,7 @@ Errors measure(const Truth& truth, const Drawn& drawn, const Display& display) {
     if (compared > 0) measure_radiance(e, truth, drawn.lit, ties), measure_display(e, truth, drawn.lit, display);
     if (compared > 0 && !drawn.unlit.empty()) count_lost_and_doubled(e, truth, drawn);
   }
+  if (!drawn.shown.empty()) e.blended_pixels = count_blended(drawn);
   if (!drawn.normal.empty()) measure_normals(e, truth, drawn.normal, ties);
   if (!drawn.position.empty()) measure_positions(e, truth, drawn.position, ties);
   return e;

@@ -40,6 +40,7 @@ struct Truth {
 // What a set-up made of it, as read back from its float targets. An empty list: not stored, so not judged.
 struct Drawn {
   std::vector<glm::vec3> lit;
+  std::vector<glm::vec3> shown;     // lit with what is drawn forward over it
   std::vector<glm::vec3> unlit;     // lit of the same frame without any light: lit - unlit is the light alone
   std::vector<glm::vec3> normal;    // decoded, world
   std::vector<glm::vec3> position;  // decoded, relative to the camera

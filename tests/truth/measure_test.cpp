@@ -109,6 +109,14 @@ TEST(Measure, LeavesTheUnseenOut) {
     EXPECT_EQ(e.*column, 0);
 }
 
+TEST(Measure, WhatIsDrawnForwardIsCountedAndNotJudged) {
+  Pair p = wall({20, 10});
+  for (size_t i = 0; i < 30; ++i) p.drawn.shown[i] += 0.5f;
+  const Errors e = measured(p);
+  EXPECT_EQ(e.blended_pixels, 30);
+  EXPECT_EQ(e.max_linear, 0);
+}
+
 TEST(Measure, FlipSeesTheWholePictureAndAveragesTheSurfaces) {
   Pair p = wall({30, 20});
   for (size_t i = 300; i < 600; ++i) p.truth.present[i] = 0, p.drawn.lit[i] = glm::vec3(1);
@@ -128,8 +136,9 @@ TEST(Measure, WithoutASurfaceThereIsNothingToMeasure) {
   p.truth.present.assign(16, 0);
   p.drawn.lit[3] = glm::vec3(kNaN), p.drawn.lit[4] = glm::vec3(0.5f, 0.5f, 0.6f), p.drawn.lit[5] = glm::vec3(0.4f);
   const Errors e = measured(p);
-  const std::set<std::string> given = {"compared_pixels", "tie_pixels", "nonfinite_pixels", "background_lit_pixels",
-                                       "background_off_pixels"};
+  const std::set<std::string> given = {"compared_pixels",       "tie_pixels",
+                                       "nonfinite_pixels",      "background_lit_pixels",
+                                       "background_off_pixels", "blended_pixels"};
   for (const ErrorColumn& c : error_columns()) EXPECT_EQ((e.*c.value).has_value(), given.contains(c.id)) << c.id;
   EXPECT_EQ(e.compared_pixels, 0);
   EXPECT_EQ(e.nonfinite_pixels, 1);

@@ -100,6 +100,15 @@ TEST(PitfallsPanel, EscLeavesAnEntryAsPDoes) {
   EXPECT_FALSE(desk.ui.is_open("pitfalls"));
 }
 
+TEST(PitfallsPanel, WhilePresentingItStandsBesideThePicture) {
+  PitfallDesk desk({1600, 900}, true);
+  desk.frame();
+  const glm::ivec2 whole = desk.requests.picture_size;
+  desk.open();
+  desk.frame();
+  EXPECT_EQ(desk.requests.picture_size.x, whole.x / 2);
+}
+
 TEST(PitfallsPanel, AnUnknownOneIsRefused) {
   Desk desk;
   EXPECT_THROW(desk.ui.open_pitfall("near-plane", desk.settings), Error);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/study/pitfalls/watch.h"
 #include "ui/panels/side_panel.h"
 
 namespace gbl::ui {
@@ -94,11 +95,15 @@ std::vector<size_t> found_entries(const PitfallsState& s) {
   return out;
 }
 
-// The one that the picture shows now, if it is unsound.
-size_t index_of_shown(const PitfallsState& s, const Settings& settings) {
-  for (const Unsound& u : unsound_choices(settings))
+// The one that the picture shows now, or that a choice is unsound by.
+size_t index_of_shown(const PitfallsState& s, const FrameContext& f) {
+  std::vector<std::string> wanted;
+  const double aspect = double(f.settings.size.x) / f.settings.size.y;
+  if (const std::optional<Watched> w = watched(f.settings, f.input.lights, aspect)) wanted.push_back(w->pitfall);
+  for (const Unsound& u : unsound_choices(f.settings)) wanted.push_back(u.pitfall);
+  for (const std::string& id : wanted)
     for (size_t i = 0; i < s.entries.size(); ++i)
-      if (s.entries[i].id == u.pitfall) return i;
+      if (s.entries[i].id == id) return i;
   return 0;
 }
 
@@ -120,7 +125,7 @@ void press_list(FrameContext& f, const KeyEvent&) {
     return;
   }
   close_panels(f.state, {Place::edge, Place::beside});
-  s.chosen = index_of_shown(s, f.settings);
+  s.chosen = index_of_shown(s, f);
   s.open = true;
 }
 

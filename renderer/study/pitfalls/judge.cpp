@@ -10,7 +10,7 @@ PitfallBounds bounds_on(const PitfallEntry& e, const DeviceRounding& rounding) {
   return truncates && e.toward_zero ? *e.toward_zero : e.bounds;
 }
 
-std::string number_text(std::optional<double> n) { return n ? fmt::format("{:.4g}", *n) : "not measured"; }
+std::string number_text(std::optional<double> n) { return n ? fmt::format("{:.3g}", *n) : "not measured"; }
 
 std::string judge_numbers(const PitfallEntry& e, const PitfallBounds& b, std::optional<double> broken,
                           std::optional<double> fixed, std::optional<double> blind) {

@@ -14,9 +14,12 @@ namespace gbl {
 std::string stability_csv(const std::vector<SweepResult>&);
 
 // {"version", "machine", "sweeps": [{…, "curves": [{…, "statements", "points"}]}]}
+// A page: of each curve what is stated of it and whether it holds, and at the end the curves that never failed.
+std::string stability_markdown(const std::vector<SweepResult>&, const Machine&, const DeviceRounding&);
+
 Json stability_json(const std::vector<SweepResult>&, const Machine&, const DeviceRounding&);
 
-// stability.csv, stability.json and <sweep>.svg, <sweep>.png in this folder, each by a temporary name. Error(unfinished):
+// stability.csv, stability.json, stability.md and <sweep>.svg, <sweep>.png in this folder, each by a temporary name. Error(unfinished):
 // a file cannot be written, or a chart cannot be drawn; then the tables are there.
 void write_stability_files(const std::filesystem::path& folder, const std::vector<SweepResult>&, const Machine&,
                            const DeviceRounding&);

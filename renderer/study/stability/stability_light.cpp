@@ -104,7 +104,7 @@ Sweep range_threshold_sweep() {
           .unit = "radiance",
           .log_axis = true,
           .metric = "rim_step",
-          .help = "the step at the rim in the reference itself: an edge of the model, not an error of a method",
+          .help = "the step at the rim where a light is cut off: an edge of the model, not an error of a method",
           .values = thresholds,
           .curves = range_threshold_curves,
           .at = cut_at};

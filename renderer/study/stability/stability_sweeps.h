@@ -6,6 +6,7 @@ namespace gbl {
 
 // stability_volumes.cpp: which faces of a light's volume are seen
 Sweep light_distance_sweep();
+Sweep near_corner_sweep();
 Sweep far_plane_sweep();
 Sweep volume_level_sweep();
 // stability_normals.cpp: what a normal's code loses

@@ -1,6 +1,7 @@
 // Sweeps of light volumes: the camera through one, the far plane through one, meshes from coarse to fine.
 #include <fmt/format.h>
 
+#include "renderer/light/light_volume.h"
 #include "renderer/study/stability/stability_scenes.h"
 #include "renderer/study/stability/stability_sweeps.h"
 
@@ -61,6 +62,54 @@ std::vector<Curve> light_distance_curves(const DeviceRounding&) {
       cull_curve(C::front, in, Flat{0.01}),
       cull_curve(C::flip_safe, in, Flat{0.01}),
   };
+}
+
+// ---- near-corner ----------------------------------------------------------------------------------------------------
+
+std::vector<double> corner_distances() {
+  return {1.9, 1.98, 2.02, 2.1, 2.3, 2.5, 2.6, 2.64, 2.66, 2.7, 2.75, 2.8, 2.9, 3, 3.1, 3.15, 3.2, 3.3, 3.5, 4};
+}
+
+// Turns `from` to `to`, both of length 1 and not opposite.
+glm::dquat turning(const glm::dvec3& from, const glm::dvec3& to) {
+  return glm::normalize(glm::dquat(1 + glm::dot(from, to), glm::cross(from, to)));
+}
+
+// The camera leaves a bare icosahedron over one of its corners, and looks so that the light lies in the picture's own
+// corner: what is nearest to the mesh's farthest point is the near plane's farthest one.
+SweepSetup corner_at_distance(double distance) {
+  const glm::dvec3 outwards = glm::normalize(glm::dvec3(icosphere(0).vertices.front()));
+  glm::dmat4 world_from_wall(glm::dmat4(glm::mat3_cast(turning({0, 0, 1}, outwards))) * glm::dmat4(glm::dmat3(20)));
+  world_from_wall[3] = glm::dvec4(-outwards, 1);
+  SweepSetup setup =
+      wall_setup(fmt::format("sweep:near-corner/{}", distance), kSize, world_from_wall, {lamp({0, 0, 0}, kRange)});
+  Settings& s = setup.settings;
+  s.camera.position = distance * outwards;
+  s.camera.near = kNear, s.camera.far = 100;
+  const double height = s.camera.half_height(double(kSize.x) / kSize.y), width = height * kSize.x / kSize.y;
+  s.camera.orientation = turning(glm::normalize(glm::dvec3(width, height, -1)), -outwards);
+  draw_volumes(s);
+  s.lights.volume.level = VolumeLevel::l0;
+  return setup;
+}
+
+Curve corner_curve(LightMethod method, LightCull cull, Expected expected) {
+  return {fmt::format("{} cull={}", row(method).id, row(cull).id),
+          [=](Settings& s) { s.lights.method = method, s.lights.cull = cull; },
+          {expected}};
+}
+
+// The mesh's corner is 2.52 away from the centre, and the near plane's 0.65 from the camera.
+std::vector<Curve> near_corner_curves(const DeviceRounding&) {
+  std::vector<Curve> out;
+  for (const LightMethod m : {LightMethod::volumes, LightMethod::volumes_instanced}) {
+    out.push_back(
+        corner_curve(m, LightCull::flip,
+                     FailsIn{.before = 1.98, .from = 2.02, .to = 2.5, .beyond = 3.2, .holds = 0, .fails = 0.99}));
+    out.push_back(corner_curve(m, LightCull::flip_safe, Flat{0}));
+    out.push_back(corner_curve(m, LightCull::front, Flat{0}));
+  }
+  return out;
 }
 
 // ---- far-plane ------------------------------------------------------------------------------------------------------
@@ -150,6 +199,22 @@ Sweep light_distance_sweep() {
           .values = light_distances,
           .curves = light_distance_curves,
           .at = light_at_distance};
+}
+
+Sweep near_corner_sweep() {
+  return {.id = "near-corner",
+          .label = "The near plane's corner leaves a light's mesh",
+          .parameter = "distance of the camera from the light's centre",
+          .unit = "units",
+          .log_axis = false,
+          .metric = "wrong_light_share",
+          .help =
+              "a light of range 2 in an icosahedron, seen in the corner of the picture: a rule without the mesh's own "
+              "size, "
+              "or without the near plane's corner, loses it",
+          .values = corner_distances,
+          .curves = near_corner_curves,
+          .at = corner_at_distance};
 }
 
 Sweep far_plane_sweep() {

@@ -28,6 +28,7 @@ void expect_holds(const char* id) {
 }
 
 TEST_F(StabilityGl, LightDistance) { expect_holds("light-distance"); }
+TEST_F(StabilityGl, NearCorner) { expect_holds("near-corner"); }
 TEST_F(StabilityGl, FarPlane) { expect_holds("far-plane"); }
 TEST_F(StabilityGl, VolumeLevel) { expect_holds("volume-level"); }
 TEST_F(StabilityGl, CullFamilies) { expect_holds("cull-families"); }

@@ -124,7 +124,7 @@ TEST(Stability, IdsAreUniqueAndEveryRowIsWhole) {
     for (const char* text : {s.label, s.parameter, s.help, s.metric}) EXPECT_STRNE(text, "") << s.id;
     EXPECT_NO_THROW(sweep_metric(s.metric));
   }
-  EXPECT_EQ(ids.size(), 11u);
+  EXPECT_EQ(ids.size(), 12u);
 }
 
 TEST(Stability, AnUnknownSweepIsAnErrorThatListsTheKnownOnes) {
