@@ -20,6 +20,9 @@ class BackgroundPitfall : public BackgroundJob {
 
  private:
   void work();
+  bool measure_side();  // false: there is more to do, or it is not there yet
+  bool measure_path();
+  std::optional<double> number_of(PitfallSide, std::optional<double> along);  // empty: not there yet
 
   Lab& lab_;
   std::optional<PitfallBench> bench_;  // from the first entry on

@@ -58,6 +58,7 @@ struct State {
   size_t page = 0;                                   // of the mosaic
   float ui_scale = 1;
   bool hidden = false, playing = false;
+  bool on_path = false;              // the camera goes along a pitfall's path
   bool reticle = false;              // a ring in the place of the mouse, on pictures
   std::optional<double> talk_began;  // seconds; empty: no timer
 

@@ -88,7 +88,7 @@ void draw_caption(FrameContext& f, const Box& room) {
   std::vector<Paragraph> paragraphs{{s.text, theme().text, f.type.large}};
   if (!s.pitfall.empty())
     paragraphs.push_back(
-        {fmt::format("{} UNSOUND: {}. X takes the sound choice, and goes back.", kUnsoundSign, s.pitfall),
+        {fmt::format("{} UNSOUND: {}. X takes the sound choice, and goes back; P shows why.", kUnsoundSign, s.pitfall),
          theme().unsound, f.type.large});
   draw_paragraphs(f.painter, {{room.min.x + 3 * bar, room.min.y}, room.max}, paragraphs, 2);
 }

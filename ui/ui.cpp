@@ -126,7 +126,9 @@ void Ui::open_pitfall(std::string_view id, Settings& settings) { ui::open_pitfal
 
 void Ui::compare_with(std::string file) { set_b_to_file(state_->comparison, std::move(file)); }
 
-bool Ui::moving(const Settings&) const { return state_->playing || state_->glide || state_->camera_key; }
+bool Ui::moving(const Settings&) const { 
+  return state_->playing || state_->glide || state_->camera_key || state_->on_path;
+}
 
 bool Ui::is_open(std::string_view panel) const { return ui::is_open(*state_, panel); }
 

@@ -47,6 +47,15 @@ TEST_F(PitfallJob, MeasuresBrokenFixedAndWhereItHides) {
   ASSERT_TRUE(got.blind);
 }
 
+TEST_F(PitfallJob, AlongItsPathTheFailureComesAndGoesAndTheFixHolds) {
+  const ui::PitfallInput got = run("near-plane-cut");
+  ASSERT_EQ(got.path_broken.size(), ui::kPathPoints);
+  EXPECT_LE(got.path_broken.front(), 0.001);
+  EXPECT_LE(got.path_broken.back(), 0.001);
+  EXPECT_GE(*std::max_element(got.path_broken.begin(), got.path_broken.end()), 0.99);
+  EXPECT_LE(*std::max_element(got.path_fixed.begin(), got.path_fixed.end()), 0.001);
+}
+
 TEST_F(PitfallJob, NothingIsMeasuredWhileTheWindowIsBusyOrNoneIsOpen) {
   ui::Requests r;
   job_->update(preset("start").make(), r, true);

@@ -68,6 +68,24 @@ TEST(PitfallsPanel, TheCameraStaysWhereItWasMovedTo) {
   EXPECT_EQ(desk.settings.camera, desk.side(PitfallSide::blind).camera) << "where it hides is a place of its own";
 }
 
+TEST(PitfallsPanel, SpacePlaysThePathAndArrowsStepOnIt) {
+  PitfallDesk desk;
+  desk.open();
+  desk.press("Space");
+  EXPECT_EQ(desk.settings.camera, camera_on_path(desk.entry, 0));
+  EXPECT_TRUE(desk.ui.moving(desk.settings));
+  for (int i = 0; i < 40; ++i) desk.seconds += 0.25, desk.frame();
+  EXPECT_EQ(desk.settings.camera, camera_on_path(desk.entry, 1));
+  EXPECT_FALSE(desk.ui.moving(desk.settings));
+  desk.press("Left");
+  const Camera step = desk.settings.camera;
+  EXPECT_NE(step, camera_on_path(desk.entry, 1));
+  desk.press("x");
+  EXPECT_EQ(desk.settings.camera, step) << "both sides are seen from one place";
+  desk.press("Right");
+  EXPECT_EQ(desk.settings.camera, camera_on_path(desk.entry, 1));
+}
+
 TEST(PitfallsPanel, TheNextOneOpensAndTheListIsAKeyAway) {
   PitfallDesk desk;
   const Settings before = desk.settings;

@@ -1,7 +1,9 @@
 // P: where methods fail. A list by groups, and the entry that is open: a question first, then what is seen and why, with
 // the number broken and fixed. X goes round broken, fixed, reference, difference; leaving brings back what was there.
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "renderer/base/error.h"
 #include "renderer/study/pitfalls/watch.h"
@@ -18,6 +20,7 @@ struct OpenPitfall {
   PitfallEntry entry;
   Shown shown = Shown::broken;
   bool revealed = false;
+  std::optional<double> along;  // where the camera is on the path; empty: nowhere on it
 };
 
 struct PitfallsState : PanelState {
@@ -31,7 +34,10 @@ struct PitfallsState : PanelState {
     Comparison comparison;
   };
   std::optional<Before> before;  // the first entry was opened
+  double last_seconds = 0;
 };
+
+constexpr double kPathSeconds = 8;
 
 constexpr const char* kFindField = "pitfalls.find";
 
@@ -170,11 +176,52 @@ void find(FrameContext& f, const KeyEvent&) {
   f.state.type_into(kFindField);
 }
 
+void put_on_path(FrameContext& f, double along) {
+  OpenPitfall& o = *state_of(f).opened;
+  o.along = std::clamp(along, 0.0, 1.0);
+  f.settings.camera = camera_on_path(o.entry, *o.along);
+  if (f.state.comparison.other) f.state.comparison.other->camera = f.settings.camera;
+  f.state.history.pass_over(f.settings);
+}
+
+bool has_path(FrameContext& f) {
+  const PitfallsState& s = state_of(f);
+  if (s.opened && s.opened->entry.path) return true;
+  say(f, {s.opened ? "This one has no path." : "Enter opens the pitfall first.", ""});
+  return false;
+}
+
+void play_path(FrameContext& f, const KeyEvent&) {
+  if (!has_path(f)) return;
+  f.state.on_path = !f.state.on_path;
+  const double along = state_of(f).opened->along.value_or(1);
+  if (f.state.on_path && along >= 1) put_on_path(f, 0);
+}
+
+void step_path(FrameContext& f, const KeyEvent& e) {
+  if (!has_path(f)) return;
+  f.state.on_path = false;
+  put_on_path(f, state_of(f).opened->along.value_or(0) + (e.key == "Left" ? -1 : 1) / (2.0 * (kPathPoints - 1)));
+}
+
+void advance_path(FrameContext& f) {
+  PitfallsState& s = state_of(f);
+  const double passed = std::min(f.input.seconds - std::exchange(s.last_seconds, f.input.seconds), 0.5);
+  if (!f.state.on_path || !s.opened || !s.opened->along) {
+    f.state.on_path = false;
+    return;
+  }
+  put_on_path(f, *s.opened->along + passed / kPathSeconds);
+  f.state.on_path = *s.opened->along < 1;
+}
+
 constexpr PanelKey kKeys[] = {
     {"X", "broken, fixed, reference, difference", next_shown, true},
     {"Enter", "open it; then the answer", enter},
     {"Up Down", "choose", move_choice, true},
     {"PgUp PgDn", "the one before, the next", move_choice, true},
+    {"Space", "along its path", play_path},
+    {"Left Right", "by hand", step_path, true},
     {"W", "where it hides", show_hidden},
     {"L", "back to the list", to_list},
     {"F", "find", find},
@@ -261,11 +308,40 @@ void draw_entry(FrameContext& f, Painter& p, const Box& room) {
   draw_paragraphs(p, room, words, px * 0.4f);
 }
 
+// The number along the path, broken and fixed, and where the camera is.
+void draw_path(FrameContext& f, Painter& p, const Box& box) {
+  const OpenPitfall& o = *state_of(f).opened;
+  const PitfallInput* in = f.input.pitfall;
+  const float px = f.type.small, line = line_height(px);
+  p.text_in({box.min, {box.max.x, box.min.y + line}}, px, theme().dim, "the number along its path: broken, and fixed");
+  const Box room{{box.min.x, box.min.y + line + 4}, box.max};
+  p.fill(room, theme().surface);
+  if (!in || in->id != o.entry.id) return;
+  double most = 0;
+  for (const auto* curve : {&in->path_broken, &in->path_fixed})
+    for (const double n : *curve) most = std::max(most, std::isfinite(n) ? n : 0);
+  const auto place = [&](size_t i, double n) {
+    const double up = most > 0 && std::isfinite(n) ? n / most : n > 0;
+    return ImVec2{room.min.x + room.width() * static_cast<float>(i) / (kPathPoints - 1),
+                  room.max.y - 3 - static_cast<float>(up) * (room.height() - 6)};
+  };
+  for (const auto& [curve, colour] :
+       {std::pair(&in->path_fixed, theme().accent), {&in->path_broken, theme().unsound}}) {
+    std::vector<ImVec2> places;
+    for (size_t i = 0; i < curve->size(); ++i) places.push_back(place(i, (*curve)[i]));
+    p.list().AddPolyline(places.data(), static_cast<int>(places.size()), colour, 0, 2);
+  }
+  if (!o.along) return;
+  const float x = room.min.x + room.width() * static_cast<float>(*o.along);
+  p.list().AddLine({x, room.min.y}, {x, room.max.y}, theme().text, 2);
+}
+
 void draw_pitfalls(FrameContext& f, Painter& p, const Box& box) {
   PitfallsState& s = state_of(f);
   Shelf shelf{box.inset(std::round(12 * f.layout.unit)), std::round(8 * f.layout.unit)};
   const Box keys = shelf.above(6 * line_height(f.type.small));
   if (s.opened) {
+    if (s.opened->entry.path && s.opened->revealed) draw_path(f, p, shelf.above(6 * line_height(f.type.small)));
     draw_entry(f, p, shelf.room);
   } else {
     p.text_in(shelf.below(line_height(f.type.large)), f.type.large, theme().accent, "Where methods fail");
@@ -282,6 +358,7 @@ void draw_pitfalls(FrameContext& f, Painter& p, const Box& box) {
 void update(FrameContext& f) {
   PitfallsState& s = state_of(f);
   if (!s.open && s.before) leave(f);
+  advance_path(f);
   if (s.open && s.opened) f.requests.pitfall.id = s.opened->entry.id;
 }
 

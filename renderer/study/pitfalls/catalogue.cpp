@@ -80,7 +80,7 @@ PitfallEntry parse_pitfall(std::string_view id, std::string_view json_text) {
   only_members(json, {"version",         "group",         "order",       "lecture", "title",  "source", "symptom",
                       "cause",           "question",      "do",          "dont",    "impact", "see",    "still",
                       "preset",          "view",          "metric",      "set",     "broken", "fixed",  "truth",
-                      "broken_at_least", "fixed_at_most", "toward_zero", "blind"},
+                      "broken_at_least", "fixed_at_most", "toward_zero", "blind",   "path"},
                where);
   PitfallEntry e;
   e.id = id;
@@ -106,9 +106,15 @@ PitfallEntry parse_pitfall(std::string_view id, std::string_view json_text) {
     e.blind = {patch_member(blind, "set", here), number_member(blind, "at_most", here),
                needed_text_member(blind, "why", here)};
   }
+  if (json.contains("path")) {
+    const std::string here = where + ": path";
+    only_members(json["path"], {"from", "to"}, here);
+    e.path = {patch_member(json["path"], "from", here), patch_member(json["path"], "to", here)};
+  }
   look_up(where, [&] {  // tried now, not when a lecturer opens it
     for (const PitfallSide side : {PitfallSide::broken, PitfallSide::fixed}) truth_of(e, side);
     if (e.blind) truth_of(e, PitfallSide::blind);
+    if (e.path) camera_on_path(e, 0), camera_on_path(e, 1);
   });
   return e;
 }
@@ -144,6 +150,16 @@ Settings settings_of(const PitfallEntry& e, PitfallSide side) {
   }
   s.view.main = e.view;
   return s;
+}
+
+Camera camera_on_path(const PitfallEntry& e, double t) {
+  assert(e.path);
+  Settings from = settings_of(e, PitfallSide::broken), to = from;
+  apply_patch(from, e.path->from, file_name(e.id)), apply_patch(to, e.path->to, file_name(e.id));
+  Camera c = from.camera;
+  c.position = glm::mix(from.camera.position, to.camera.position, t);
+  c.orientation = glm::slerp(from.camera.orientation, to.camera.orientation, t);
+  return c;
 }
 
 Settings truth_of(const PitfallEntry& e, PitfallSide side) {

@@ -5,9 +5,10 @@
 //    "preset": "start", "set": {…}, "broken": {…}, "fixed": {…}, "truth": {…}, "view": "final",
 //    "metric": "lost_share", "broken_at_least": 0.9, "fixed_at_most": 0,
 //    "toward_zero": {"broken_at_least": …, "fixed_at_most": …},
-//    "blind": {"set": {…}, "at_most": 0, "why": "…"}}
+//    "blind": {"set": {…}, "at_most": 0, "why": "…"}, "path": {"from": {…}, "to": {…}}}
 // Settings are the preset's, then "set", then "broken" or "fixed". "truth" is added to what "broken" is judged by:
 // the model that is meant, where the failure is one of the model. "blind" is "broken" in a configuration that hides it.
+// "path": two cameras between which it comes and goes.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,10 @@ struct PitfallBlindSpot {
   std::string why;
 };
 
+struct PitfallPath {
+  std::vector<Assignment> from, to;  // of the camera, over the settings of either side
+};
+
 struct PitfallEntry {
   std::string id;     // file name without ending
   std::string group;  // of pitfall_groups()
@@ -40,6 +45,7 @@ struct PitfallEntry {
   PitfallBounds bounds;
   std::optional<PitfallBounds> toward_zero;  // on a device that truncates what it stores in half floats
   std::optional<PitfallBlindSpot> blind;
+  std::optional<PitfallPath> path;
 };
 
 struct PitfallGroup {
@@ -55,6 +61,9 @@ PitfallEntry parse_pitfall(std::string_view id, std::string_view json_text);
 enum class PitfallSide { broken, fixed, blind };
 Settings settings_of(const PitfallEntry&, PitfallSide);
 Settings truth_of(const PitfallEntry&, PitfallSide);  // whose reference judges that side
+
+// The camera on the entry's path, 0 … 1.
+Camera camera_on_path(const PitfallEntry&, double t);
 
 // Failures that are not in the catalogue, with the reason.
 struct AbsentPitfall {

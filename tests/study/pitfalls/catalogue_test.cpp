@@ -114,6 +114,16 @@ TEST(PitfallFile, IsRead) {
   EXPECT_EQ(bounds_on(e, {.half_blend = StoreRounding::toward_zero}).broken_at_least, 0.7);
 }
 
+TEST(PitfallFile, APathLeadsFromOneCameraToAnother) {
+  Json j = file();
+  j["path"] = {{"from", {{"camera.position", {0, 0, 0}}}}, {"to", {{"camera.position", {8, 0, 4}}}}};
+  const PitfallEntry e = parse_pitfall("mine", j.dump());
+  EXPECT_EQ(camera_on_path(e, 0.25).position, glm::dvec3(2, 0, 1));
+  EXPECT_EQ(camera_on_path(e, 1).fov, settings_of(e, PitfallSide::broken).camera.fov);
+  j["path"]["via"] = 1;
+  EXPECT_TRUE(contains(refusal(j), "unknown member \"via\""));
+}
+
 TEST(PitfallFile, TheModelThatIsMeantJudgesTheBrokenSideOnly) {
   Json j = file();
   j["truth"] = {{"colour", "srgb"}}, j["set"] = {{"colour", "as-tutorial"}};
