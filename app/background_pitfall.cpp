@@ -30,6 +30,7 @@ bool BackgroundPitfall::measure_side() {
   if (!shown_.broken || !shown_.fixed || (entry_->blind && !shown_.blind)) return false;
   shown_.note =
       judge_numbers(*entry_, bounds_on(*entry_, bench_->rounding()), shown_.broken, shown_.fixed, shown_.blind);
+  known_[entry_->id] = shown_;  // its path may never be measured to the end
   return true;
 }
 

@@ -51,13 +51,15 @@ void print(const PitfallEntry& e, const PitfallResult& r) {
 
 // Of those that were drawn; the index only of all of them.
 void write_pages(const std::filesystem::path& folder, const Arguments& a, const std::vector<JudgedPitfall>& judged,
-                 glm::ivec2 size, const std::string& device) {
+                 glm::ivec2 size, const PitfallBench& bench) {
+  const std::string device = bench.machine().device;
   Lab lab(without_of(a));
   for (const JudgedPitfall& j : judged) {
     if (!j.result.skipped.empty()) continue;
     const PitfallStrip strip = draw_strip(lab, j.entry);
     write_strip(folder / (j.entry.id + ".png"), strip);
-    write_text_file(folder / (j.entry.id + ".md"), pitfall_page(j, strip.most_codes, size, device));
+    write_text_file(folder / (j.entry.id + ".md"),
+                    pitfall_page(j, strip.most_codes, size, bounds_on(j.entry, bench.rounding()), device));
   }
   if (a.pitfalls.empty()) write_text_file(folder / "README.md", pitfall_index(judged, size, device));
 }
@@ -91,7 +93,7 @@ ExitCode run_pitfalls(const Arguments& a) {
   }
   if (a.json) fmt::print("{}\n", all.dump(2));
   if (!a.json && skipped > 0) fmt::print("{} of {} skipped\n", skipped, entries.size());
-  if (a.output) write_pages(*a.output, a, judged, size, bench.machine().device);
+  if (a.output) write_pages(*a.output, a, judged, size, bench);
   return all_hold ? ExitCode::done : ExitCode::check_failed;
 }
 

@@ -35,11 +35,11 @@ class PitfallJob : public GlTest {
 };
 
 TEST_F(PitfallJob, MeasuresBrokenFixedAndWhereItHides) {
-  const ui::PitfallInput got = run("no-culling-doubles");
+  const ui::PitfallInput got = run("stereographic-pole");
   EXPECT_EQ(got.note, "");
   PitfallBench bench(lab_->renderer(), lab_->device());
   const PitfallResult r =
-      judge_pitfall(load_pitfall("no-culling-doubles"), kBackgroundSize, bench.limits(), bench.rounding(),
+      judge_pitfall(load_pitfall("stereographic-pole"), kBackgroundSize, bench.limits(), bench.rounding(),
                     [&](const Settings& drawn, const Settings& meant) { return bench.measure(drawn, meant); });
   EXPECT_EQ(got.broken, r.broken);
   EXPECT_EQ(got.fixed, r.fixed);

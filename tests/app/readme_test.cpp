@@ -45,7 +45,7 @@ TEST(Documents, EveryPitfallHasItsPageAndItsPicture) {
   for (const PitfallEntry& e : load_pitfalls()) {
     all.push_back({e, {.broken = 1, .fixed = 1, .blind = 1}});
     EXPECT_EQ(words_of_page(text_of("docs/pitfalls/" + e.id + ".md")),
-              words_of_page(pitfall_page(all.back(), 0, {}, "")))
+              words_of_page(pitfall_page(all.back(), 0, {}, {}, "")))
         << "run: gbufferlab pitfalls -o docs/pitfalls";
     EXPECT_LE(std::filesystem::file_size(test::source_folder() / "docs/pitfalls" / (e.id + ".png")), 120'000u) << e.id;
     written.insert(e.id + ".md"), written.insert(e.id + ".png");

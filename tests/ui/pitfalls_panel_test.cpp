@@ -1,4 +1,6 @@
 // The pitfalls in the window: the list, an entry broken and fixed, and what was there before it.
+#include <gtest/gtest.h>
+
 #include "renderer/base/error.h"
 #include "tests/ui/ui_desk.h"
 
@@ -125,6 +127,38 @@ TEST(PitfallsPanel, WhilePresentingItStandsBesideThePicture) {
   desk.open();
   desk.frame();
   EXPECT_EQ(desk.requests.picture_size.x, whole.x / 2);
+}
+
+TEST(PitfallsPanel, TheReferenceIsOfTheModelThatIsMeant) {
+  PitfallDesk desk;
+  desk.ui.open_pitfall("no-srgb", desk.settings);
+  desk.press("x"), desk.press("x");
+  EXPECT_EQ(desk.settings.view.main, "reference");
+  EXPECT_EQ(desk.settings.colour, Colour::srgb);
+}
+
+TEST(PitfallsPanel, WhatTheDeviceCannotDrawIsSaidAndWhatIsShownStays) {
+  PitfallDesk desk;  // without clip control
+  desk.ui.open_pitfall("d32f-not-reversed", desk.settings);
+  const Settings broken = desk.settings;
+  desk.press("x");
+  EXPECT_EQ(desk.settings, broken);
+}
+
+TEST(PitfallsPanel, UndoDoesNotBringAPitfallBack) {
+  PitfallDesk desk;
+  desk.press("c");
+  desk.frame();
+  const Settings before = desk.settings;
+  desk.open();
+  desk.frame();
+  desk.press("p");
+  desk.frame();
+  EXPECT_EQ(desk.settings, before);
+  desk.press("z", false, true);
+  EXPECT_EQ(desk.settings.scene, before.scene);
+  EXPECT_EQ(desk.settings.camera, before.camera);
+  EXPECT_NE(desk.settings, before) << "the change before it is taken back";
 }
 
 TEST(PitfallsPanel, AnUnknownOneIsRefused) {

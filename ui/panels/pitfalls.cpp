@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/validate.h"
 #include "renderer/study/pitfalls/watch.h"
 #include "ui/panels/side_panel.h"
 
@@ -49,15 +50,24 @@ PitfallSide side_of(Shown s) {
   return s == Shown::fixed ? PitfallSide::fixed : s == Shown::hidden ? PitfallSide::blind : PitfallSide::broken;
 }
 
+Settings settings_shown(const PitfallEntry& e, Shown shown) {
+  if (shown != Shown::reference) return settings_of(e, side_of(shown));
+  Settings s = truth_of(e, PitfallSide::broken);  // what judges it, where the model is what fails
+  s.view.main = "reference";
+  return s;
+}
+
 // The camera stays where it was moved to while the entry is open, but for the one that hides it.
 void show(State& state, Settings& settings, Shown shown, bool keep_camera) {
   OpenPitfall& o = *state.of<PitfallsState>().opened;
   const Settings now = settings;
   o.shown = shown;
-  settings = settings_of(o.entry, side_of(shown));
+  settings = settings_shown(o.entry, shown);
   settings.size = now.size;
-  if (keep_camera) settings.camera = now.camera, settings.time_s = now.time_s;
-  if (shown == Shown::reference) settings.view.main = "reference";
+  if (keep_camera)
+    settings.camera = now.camera, settings.time_s = now.time_s;
+  else
+    o.along.reset(), state.on_path = false;
   state.comparison = {};
   state.comparison.other = settings_of(o.entry, shown == Shown::fixed ? PitfallSide::broken : PitfallSide::fixed);
   state.comparison.other->camera = settings.camera;
@@ -65,6 +75,18 @@ void show(State& state, Settings& settings, Shown shown, bool keep_camera) {
   state.large = true;
   state.glide.reset(), state.before_glide.reset();
   state.caption.reset();
+  state.history.pass_over(settings);  // leaving brings back what was there
+}
+
+// A device without a feature cannot draw some: that is said, and what is shown stays.
+bool can_show(FrameContext& f, const PitfallEntry& e, Shown shown) {
+  try {
+    require_valid(settings_shown(e, shown), {f.input.features});
+    return true;
+  } catch (const Error& error) {
+    f.state.notice = error.what();
+    return false;
+  }
 }
 
 void open(State& state, Settings& settings, PitfallEntry entry) {
@@ -79,6 +101,7 @@ void leave(FrameContext& f) {
   if (s.before) {
     replace_settings(f, s.before->settings);
     f.state.large = s.before->large, f.state.comparison = s.before->comparison;
+    f.state.history.pass_over(f.settings);
   }
   s.before.reset(), s.opened.reset();
 }
@@ -144,14 +167,16 @@ void move_choice(FrameContext& f, const KeyEvent& e) {
   const auto next =
       at == found.end() ? 0 : std::clamp<std::ptrdiff_t>(i + (e.key == "Up" || e.key == "PgUp" ? -1 : 1), 0, last);
   s.chosen = found[static_cast<size_t>(next)];
-  if (s.opened) open(f.state, f.settings, s.entries[s.chosen]);
+  if (s.opened && can_show(f, s.entries[s.chosen], Shown::broken)) open(f.state, f.settings, s.entries[s.chosen]);
 }
 
 void enter(FrameContext& f, const KeyEvent&) {
   PitfallsState& s = state_of(f);
   if (s.opened)
     s.opened->revealed = !s.opened->revealed;
-  else if (s.chosen < s.entries.size())
+  else if (const std::vector<size_t> found = found_entries(s);
+           std::find(found.begin(), found.end(), s.chosen) != found.end() &&
+           can_show(f, s.entries[s.chosen], Shown::broken))
     open(f.state, f.settings, s.entries[s.chosen]);
 }
 
@@ -160,8 +185,8 @@ void next_shown(FrameContext& f, const KeyEvent& e) {
   if (!s.opened) return say(f, {"Enter opens the pitfall first.", ""});
   const bool hidden = s.opened->shown == Shown::hidden;
   const int now = hidden ? 3 : static_cast<int>(s.opened->shown);
-  show(f.state, f.settings, static_cast<Shown>((now + (e.shift ? 3 : 1)) % 4), !hidden);
-  f.state.history.pass_over(f.settings);
+  const auto next = static_cast<Shown>((now + (e.shift ? 3 : 1)) % 4);
+  if (can_show(f, s.opened->entry, next)) show(f.state, f.settings, next, !hidden);
 }
 
 void show_hidden(FrameContext& f, const KeyEvent&) {
@@ -261,7 +286,7 @@ void draw_list(FrameContext& f, Painter& p, const Box& room) {
       continue;
     }
     const PitfallEntry& e = s.entries[lines[i].entry];
-    if (hit_area(e.id.c_str(), line)) {
+    if (hit_area(e.id.c_str(), line) && can_show(f, e, Shown::broken)) {
       s.chosen = lines[i].entry;
       open(f.state, f.settings, e);
     }

@@ -43,7 +43,7 @@ struct PitfallEntry {
   std::string preset, view, metric;
   std::vector<Assignment> set, broken, fixed, truth;
   PitfallBounds bounds;
-  std::optional<PitfallBounds> toward_zero;  // on a device that truncates what it stores in half floats
+  std::optional<PitfallBounds> toward_zero;  // on a device that truncates what it stores in small floats
   std::optional<PitfallBlindSpot> blind;
   std::optional<PitfallPath> path;
 };

@@ -5,8 +5,9 @@
 namespace gbl {
 
 PitfallBounds bounds_on(const PitfallEntry& e, const DeviceRounding& rounding) {
-  const bool truncates =
-      rounding.half_store == StoreRounding::toward_zero || rounding.half_blend == StoreRounding::toward_zero;
+  const bool truncates = rounding.half_store == StoreRounding::toward_zero ||
+                         rounding.half_blend == StoreRounding::toward_zero ||
+                         rounding.r11 == StoreRounding::toward_zero;
   return truncates && e.toward_zero ? *e.toward_zero : e.bounds;
 }
 

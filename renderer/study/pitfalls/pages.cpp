@@ -31,7 +31,8 @@ constexpr const char* kTableHead =
 
 }  // namespace
 
-std::string pitfall_page(const JudgedPitfall& j, double most_codes, glm::ivec2 size, const std::string& device) {
+std::string pitfall_page(const JudgedPitfall& j, double most_codes, glm::ivec2 size, const PitfallBounds& bounds,
+                         const std::string& device) {
   const PitfallEntry& e = j.entry;
   const PitfallMetric& m = pitfall_metric(e.metric);
   std::string page =
@@ -54,7 +55,7 @@ std::string pitfall_page(const JudgedPitfall& j, double most_codes, glm::ivec2 s
   page += fmt::format(
       "```\ngbufferlab pitfalls {}\n```\n\nMeasured at {} on {}, against the reference in double "
       "precision. A test holds broken at {:g} or more, and fixed at {:g} or less.\n",
-      e.id, size_text(size), device, e.bounds.broken_at_least, e.bounds.fixed_at_most);
+      e.id, size_text(size), device, bounds.broken_at_least, bounds.fixed_at_most);
   return page;
 }
 

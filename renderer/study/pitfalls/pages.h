@@ -13,7 +13,8 @@ struct JudgedPitfall {
 };
 
 // <id>.md, beside <id>.png: broken, fixed, and their difference, whose brightest colour stands for so many codes of 255.
-std::string pitfall_page(const JudgedPitfall&, double most_codes, glm::ivec2 size, const std::string& device);
+std::string pitfall_page(const JudgedPitfall&, double most_codes, glm::ivec2 size, const PitfallBounds&,
+                         const std::string& device);
 
 // README.md, of all entries.
 std::string pitfall_index(const std::vector<JudgedPitfall>&, glm::ivec2 size, const std::string& device);

@@ -162,8 +162,8 @@ constexpr PitfallMetric kOwn[] = {
     {"markers_wrong", "", "share of light markers that are seen and should be hidden, or the other way round",
      markers_wrong},
     {"rim_kink", "codes of 255", "sharpest bend at the first light's range in the reference, as displayed", rim_kink},
-    {"quarter_kink", "codes of 255", "sharpest bend at a quarter of the first light's range in the reference",
-     quarter_kink},
+    {"quarter_kink", "codes of 255",
+     "sharpest bend at a quarter of the first light's range in the reference, as displayed", quarter_kink},
 };
 
 }  // namespace

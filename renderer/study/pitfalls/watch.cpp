@@ -1,5 +1,7 @@
 #include "renderer/study/pitfalls/watch.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/light/light_volume.h"
@@ -31,7 +33,7 @@ std::optional<Watched> watched_volume(const Settings& s, const WatchedLight& l, 
       break;
     case Faces::back: break;
   }
-  if (clipped && l.faces == Faces::back && l.along + l.reach > s.camera.far)
+  if (clipped && l.faces == Faces::back && l.along + l.reach > s.camera.far && l.along - l.range < s.camera.far)
     return Watched{"far-plane-clips-backfaces", "the far plane cuts its back faces"};
   return {};
 }
@@ -65,9 +67,10 @@ std::optional<Watched> watched_lights(const Settings& s, std::span<const Light> 
   return {};
 }
 
-// Half floats have 11 bits: steps of 2^-11 of the distance from the world's origin.
+// Half floats have 11 bits: a coordinate between two powers of 2 has a thousand steps.
 std::optional<Watched> watched_positions(const Settings& s) {
-  const double step = glm::length(s.camera.position) / 2048;
+  const glm::dvec3 p = glm::abs(s.camera.position);
+  const double step = std::exp2(std::floor(std::log2(std::max({p.x, p.y, p.z, 1e-9}))) - 10);
   if (s.position.source != PositionSource::world16f || !in_use(option("position.source"), s) || step < 0.1) return {};
   return Watched{"fp16-world-position",
                  fmt::format("this far from the origin positions have steps of {:.2g} units", step)};
