@@ -126,7 +126,7 @@ void Ui::open_pitfall(std::string_view id, Settings& settings) { ui::open_pitfal
 
 void Ui::compare_with(std::string file) { set_b_to_file(state_->comparison, std::move(file)); }
 
-bool Ui::moving(const Settings&) const { 
+bool Ui::moving(const Settings&) const {
   return state_->playing || state_->glide || state_->camera_key || state_->on_path;
 }
 
