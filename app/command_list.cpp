@@ -13,6 +13,7 @@
 #include "renderer/lessons/lessons.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
+#include "renderer/options/settings_json.h"
 #include "renderer/pitfalls/mistakes.h"
 #include "renderer/scenes/builtin_scenes.h"
 #include "renderer/study/pitfalls/catalogue.h"
@@ -177,6 +178,13 @@ Rows lesson_rows() {
   return out;
 }
 
+// "lights.cull=back lights.volume.clip=none"
+std::string words_of(const std::vector<Assignment>& patch) {
+  std::string out;
+  for (const Assignment& a : patch) out += fmt::format("{}{}={}", out.empty() ? "" : " ", a.path, plain(a.value));
+  return out;
+}
+
 Rows pitfall_rows() {
   Rows out;
   for (const PitfallEntry& e : load_pitfalls()) {
@@ -184,6 +192,7 @@ Rows pitfall_rows() {
     j["sound"] = nullptr;
     j["group"] = e.group;
     j["metric"] = e.metric;
+    j["broken"] = words_of(e.broken), j["fixed"] = words_of(e.fixed);
     j["help"] = e.symptom;
     j["source"] = e.source;
     out.push_back({j});

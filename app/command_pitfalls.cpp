@@ -29,11 +29,12 @@ glm::ivec2 size_from(const Arguments& a) {
   return *size;
 }
 
-Json json_of(const PitfallEntry& e, const PitfallResult& r) {
+Json json_of(const PitfallEntry& e, const PitfallResult& r, const PitfallBounds& b) {
   Json j;
   j["id"] = e.id, j["title"] = e.title, j["group"] = e.group, j["metric"] = e.metric;
   j["unit"] = pitfall_metric(e.metric).unit;
   j["broken"] = or_null(r.broken), j["fixed"] = or_null(r.fixed), j["blind"] = or_null(r.blind);
+  j["broken_at_least"] = b.broken_at_least, j["fixed_at_most"] = b.fixed_at_most;
   j["skipped"] = r.skipped, j["as_catalogued"] = r.skipped.empty() ? Json(r.holds()) : Json(nullptr);
   j["wrong"] = r.wrong;
   return j;
@@ -87,11 +88,18 @@ ExitCode run_pitfalls(const Arguments& a) {
     all_hold = all_hold && r.holds(), skipped += !r.skipped.empty();
     judged.push_back({e, r});
     if (a.json)
-      all.push_back(json_of(e, r));
+      all.push_back(json_of(e, r, bounds_on(e, bench.rounding())));
     else
       print(e, r);
   }
-  if (a.json) fmt::print("{}\n", all.dump(2));
+  if (a.json) {
+    const Machine m = bench.machine();
+    const Json file = {{"version", 1},
+                       {"machine", {{"driver", m.driver}, {"device", m.device}}},
+                       {"size", {size.x, size.y}},
+                       {"pitfalls", all}};
+    fmt::print("{}\n", file.dump(2));
+  }
   if (!a.json && skipped > 0) fmt::print("{} of {} skipped\n", skipped, entries.size());
   if (a.output) write_pages(*a.output, a, judged, size, bench);
   return all_hold ? ExitCode::done : ExitCode::check_failed;

@@ -83,7 +83,7 @@ TEST(StudyColumns, EachStandsOnceInEveryFileAndOnOneAxisAtMost) {
     EXPECT_EQ(times_in(members, c.id), in_files) << c.id;
     EXPECT_EQ(times_in(header, c.id), in_files) << c.id;
     EXPECT_EQ(times_in(axes, c.id), c.axis != Axis::none) << c.id;
-    const bool counts = c.id == "compared_pixels" || c.id == "tie_pixels";
+    const bool counts = c.id == "compared_pixels" || c.id == "tie_pixels" || c.id == "blended_pixels";
     EXPECT_EQ(c.label.empty(), c.axis == Axis::none && !counts) << c.id;
     EXPECT_TRUE(c.axis == Axis::none || column_value(row, c)) << c.id << " is not taken from a measurement";
   }
@@ -104,7 +104,7 @@ TEST(StudyColumns, AreKnownByIdAndRatiosAreDerived) {
   for (const ColumnValue& lit : {ColumnValue(0), ColumnValue()})
     EXPECT_FALSE(
         column_value(test::row_of("a", {{"pairs_shaded", 300}, {"pairs_lit", lit}}), cost_column("shaded_per_lit")));
-  EXPECT_EQ(chart_error_columns().size() + 2, error_columns().size()) << "all but the two that count pixels";
+  EXPECT_EQ(chart_error_columns().size() + 3, error_columns().size()) << "all but the three that count pixels";
   const std::string line = error_line(ExitCode::bad_input, [] { cost_column("draw_cals"); });
   EXPECT_TRUE(contains(line, "did you mean 'draw_calls'")) << line;
   EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [] { chart_error_column("rmse"); }), "rmse_linear"));
