@@ -111,7 +111,10 @@ std::optional<double> markers_wrong(const PitfallEvidence& e) {
 // ---- kinks of a falloff --------------------------------------------------------------------------------------------
 
 // The sharpest bend of the reference's picture, in codes: |a - 2b + c| of three neighbours between which the first
-// light's distance passes a share of its range.
+// light's distance passes a share of its range. As if the picture were kKinkWidth pixels wide: where a slope jumps, the
+// bend of three neighbours goes with the distance between them.
+constexpr double kKinkWidth = 320;
+
 struct Kink {
   const Truth& truth;
   Display display;
@@ -144,7 +147,7 @@ std::optional<double> kink_at(const PitfallEvidence& e, double share_of_range) {
       const size_t i = y * width + x;
       kink.look(i - 1, i, i + 1), kink.look(i - width, i, i + width);
     }
-  return kink.most;
+  return kink.most * static_cast<double>(width) / kKinkWidth;
 }
 std::optional<double> rim_kink(const PitfallEvidence& e) { return kink_at(e, 1); }
 std::optional<double> quarter_kink(const PitfallEvidence& e) { return kink_at(e, 0.25); }
@@ -161,9 +164,11 @@ constexpr PitfallMetric kOwn[] = {
     {"shaded_per_lit", "", "pairs of pixel and light shaded over pairs lit", shaded_per_lit},
     {"markers_wrong", "", "share of light markers that are seen and should be hidden, or the other way round",
      markers_wrong},
-    {"rim_kink", "codes of 255", "sharpest bend at the first light's range in the reference, as displayed", rim_kink},
+    {"rim_kink", "codes of 255",
+     "sharpest bend at the first light's range in the reference, as displayed 320 pixels wide", rim_kink},
     {"quarter_kink", "codes of 255",
-     "sharpest bend at a quarter of the first light's range in the reference, as displayed", quarter_kink},
+     "sharpest bend at a quarter of the first light's range in the reference, as displayed 320 pixels wide",
+     quarter_kink},
 };
 
 }  // namespace
