@@ -7,7 +7,6 @@
 #include "app/pitfall_strip.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
-#include "renderer/base/size_text.h"
 #include "renderer/study/pitfalls/pages.h"
 
 namespace gbl {
@@ -20,13 +19,6 @@ std::vector<PitfallEntry> chosen_entries(const std::vector<std::string>& ids) {
   std::vector<PitfallEntry> out;
   for (const std::string& id : ids) out.push_back(load_pitfall(id));
   return out;
-}
-
-glm::ivec2 size_from(const Arguments& a) {
-  if (!a.size) return kSize;
-  const std::optional<glm::ivec2> size = size_of(*a.size);
-  if (!size) throw Error(ExitCode::bad_input, "--size", fmt::format("'{}' is not a size", *a.size), "write WxH");
-  return *size;
 }
 
 Json json_of(const PitfallEntry& e, const PitfallResult& r, const PitfallBounds& b) {
@@ -73,11 +65,14 @@ ExitCode run_pitfalls(const Arguments& a) {
     for (const PitfallEntry& e : entries) fmt::print("{:<28} {}\n", e.id, e.title);
     return ExitCode::done;
   }
-  const glm::ivec2 size = size_from(a);
+  const glm::ivec2 size = a.size ? setup_of(a).settings.size : kSize;
   if (a.output) make_folder(*a.output);  // before the work: a folder that cannot be written is known at once
   const HeadlessContext context;
   Renderer renderer;
   PitfallBench bench(renderer, gl::probe_device(without_of(a)));
+  Settings sized;
+  sized.size = size;
+  require_valid(sized, bench.limits());
   const auto measure = [&](const Settings& drawn, const Settings& meant) { return bench.measure(drawn, meant); };
   std::vector<JudgedPitfall> judged;
   Json all = Json::array();

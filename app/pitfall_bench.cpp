@@ -1,5 +1,6 @@
 #include "app/pitfall_bench.h"
 
+#include "app/stability_bench.h"
 #include "renderer/opening/scene_look.h"
 
 namespace gbl {
@@ -7,17 +8,7 @@ namespace {
 
 constexpr size_t kTruthsKept = 4;  // broken and fixed mostly share one
 
-// Neither known way of rounding is taken for the coarser of the two.
-StoreRounding rounding_of(gl::Rounding r) {
-  return r == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
-}
-
 }  // namespace
-
-DeviceRounding device_rounding() {
-  const gl::RoundingProbe probe = gl::probe_rounding();
-  return {rounding_of(probe.half_store), rounding_of(probe.half_blend), rounding_of(probe.r11_store)};
-}
 
 PitfallBench::PitfallBench(Renderer& renderer, const gl::Device& device)
     : device_(device), rounding_(device_rounding()), renderer_(renderer), truths_(kTruthsKept, all_processors()) {}

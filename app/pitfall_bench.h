@@ -36,6 +36,4 @@ class PitfallBench {
   std::map<std::string, std::unique_ptr<GpuScene>> scenes_;  // the catalogue's are few and small
 };
 
-DeviceRounding device_rounding();  // of the current context
-
 }  // namespace gbl

@@ -1,14 +1,22 @@
 #include "app/stability_bench.h"
 
-#include "app/pitfall_bench.h"
-
 namespace gbl {
 namespace {
 
 // A point's curves differ in their method, and few in their truth.
 constexpr size_t kTruthsOfAPoint = 4;
 
+// Neither known way of rounding is taken for the coarser of the two.
+StoreRounding rounding_of(gl::Rounding r) {
+  return r == gl::Rounding::to_nearest ? StoreRounding::to_nearest : StoreRounding::toward_zero;
+}
+
 }  // namespace
+
+DeviceRounding device_rounding() {
+  const gl::RoundingProbe probe = gl::probe_rounding();
+  return {rounding_of(probe.half_store), rounding_of(probe.half_blend), rounding_of(probe.r11_store)};
+}
 
 StabilityBench::StabilityBench(Renderer& renderer, const gl::Device& device)
     : device_(device), rounding_(device_rounding()), renderer_(renderer), truths_(kTruthsOfAPoint, all_processors()) {}

@@ -9,6 +9,8 @@
 
 namespace gbl {
 
+DeviceRounding device_rounding();  // of the current context
+
 class StabilityBench {
  public:
   // The device's current context; the renderer may draw for others, too.

@@ -1,7 +1,5 @@
 // Pitfalls of the sources that are of GL and of no picture, each a test of the same name: what the call of the source does,
 // and what the lab does instead.
-#include <cmath>
-
 #include "renderer/gl/object.h"
 #include "renderer/passes/frame_block.h"
 #include "tests/gl_fixture.h"
@@ -93,7 +91,6 @@ TEST_F(Portability, Ubo64000) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_UNIFORM_BLOCK_SIZE, &largest);
   EXPECT_GE(static_cast<size_t>(largest), kPromised);
-  EXPECT_GT(size_t(64000), kPromised);
   EXPECT_LE(sizeof(shared::FrameBlock), kPromised);
 }
 
@@ -123,13 +120,6 @@ TEST_F(Portability, SnormReadback) {
   if (!complete) GTEST_SKIP() << "this driver does not draw into RGBA8_SNORM";
   EXPECT_EQ(cut, 0) << "as a driver reads by default";
   EXPECT_NEAR(whole, -0.5, 1.0 / 127);
-}
-
-// `pow-negative-base` and `pow-zero-zero`: a reference copied from a shader has what GLSL leaves open. The lab's own lobe
-// (shade.glsl) takes no power of a negative number, and says 1 for 0 to the 0, as C does.
-TEST_F(Portability, PowNegativeBaseAndZeroZeroOfC) {
-  EXPECT_NEAR(std::pow(-0.9, 10), 0.349, 0.001) << "a mirror highlight on the far side";
-  EXPECT_EQ(std::pow(0.0, 0.0), 1);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "renderer/base/error.h"
+
 namespace gbl {
 
 PitfallBounds bounds_on(const PitfallEntry& e, const DeviceRounding& rounding) {
@@ -26,6 +28,11 @@ std::string judge_numbers(const PitfallEntry& e, const PitfallBounds& b, std::op
   return wrong;
 }
 
+// Another device could draw it; what no device can draw is an entry's mistake.
+static bool of_the_device(ProblemId id) {
+  return id == ProblemId::feature_missing || id == ProblemId::too_many_targets || id == ProblemId::size_above_limit;
+}
+
 PitfallResult judge_pitfall(const PitfallEntry& e, glm::ivec2 size, const DeviceLimits& limits,
                             const DeviceRounding& rounding, const PitfallMeasureFn& measure) {
   PitfallResult out;
@@ -34,7 +41,9 @@ PitfallResult judge_pitfall(const PitfallEntry& e, glm::ivec2 size, const Device
     Settings drawn = settings_of(e, side), meant = truth_of(e, side);
     drawn.size = meant.size = size;
     if (const std::vector<Problem> problems = validate(drawn, limits); !problems.empty()) {
-      out.skipped = problems[0].path + " " + problems[0].sentence;
+      const Problem& p = problems[0];
+      if (!of_the_device(p.id)) throw Error(ExitCode::bad_input, e.id, p.path + " " + p.sentence);
+      out.skipped = p.path + " " + p.sentence;
       return {};
     }
     return value_of(metric, measure(drawn, meant));

@@ -26,7 +26,7 @@ std::string judge_numbers(const PitfallEntry&, const PitfallBounds&, std::option
 // Draws `drawn`, and judges it by the truth of `meant`. Errors are thrown on.
 using PitfallMeasureFn = std::function<PitfallEvidence(const Settings& drawn, const Settings& meant)>;
 
-// size: of the pictures; tests hold the bounds at 160x90 and 320x180.
+// Error(bad_input): its settings contradict each other. size: of the pictures; tests hold the bounds at 160x90 and 320x180.
 PitfallResult judge_pitfall(const PitfallEntry&, glm::ivec2 size, const DeviceLimits&, const DeviceRounding&,
                             const PitfallMeasureFn&);
 

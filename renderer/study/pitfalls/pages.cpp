@@ -61,11 +61,9 @@ std::string pitfall_page(const JudgedPitfall& j, double most_codes, glm::ivec2 s
 
 std::string pitfall_index(const std::vector<JudgedPitfall>& all, glm::ivec2 size, const std::string& device) {
   std::string page = fmt::format(
-      "# Where methods fail\n\nEach pitfall is drawn with the settings broken and with the settings fixed. Both are "
-      "judged by "
-      "the reference in double precision, at {} on {}. The more the number, the worse. {}\n\n## For a lecture\n\nSeven "
-      "that "
-      "every lecture can use, in this order.\n\n{}",
+      "# Where methods fail\n\nEach pitfall is drawn with the settings broken and with the settings fixed. "
+      "Both are judged by the reference in double precision, at {} on {}. The more the number, the worse. {}\n\n"
+      "## For a lecture\n\nSeven that every lecture can use, in this order.\n\n{}",
       size_text(size), device, kGenerated, kTableHead);
   std::vector<const JudgedPitfall*> lecture;
   for (const JudgedPitfall& j : all)
