@@ -100,7 +100,9 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   if (command == "stability") {
     app.add_option("sweep", a.sweeps, "sweeps by id; default: all. An unknown one is answered with the known ones");
     add_number(app, "--configurations", a.configurations, "of cull-families, in each family (default: 48)", 1, 1000);
-    app.add_option("-o,--output", a.output, "folder for tables and charts, made if need be (default: out/stability)");
+    app.add_option("-o,--output", a.output,
+                   "folder of points.jsonl, tables and charts, made if need be (default: out/stability)");
+    app.add_option("--shard", a.shard, "i/n: every n-th point of a curve from the i-th, for several machines");
   }
   if (command == "pitfalls") {
     app.add_option("id", a.pitfalls, "pitfalls by id; default: all");

@@ -5,11 +5,13 @@
 
 #include "app/commands.h"
 #include "app/headless.h"
+#include "app/interrupt.h"
 #include "app/stability_bench.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/study/stability/stability_chart.h"
 #include "renderer/study/stability/stability_files.h"
+#include "renderer/study/stability/stability_journal.h"
 
 namespace gbl {
 namespace {
@@ -48,6 +50,15 @@ void print_text(const SweepResult& result) {
   if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
   fmt::print("{}: {}\n", result.sweep->id, result.sweep->label);
   for (const CurveResult& c : result.curves) print_curve(*result.sweep, c);
+  if (result.left > 0) fmt::print("  not judged: {} points have not been measured\n", result.left);
+}
+
+bool fails(const SweepResult& r) { return r.left == 0 && !r.holds(); }
+
+// 1: a statement does not hold. What other machines measure is no failure.
+ExitCode outcome(const std::vector<SweepResult>& results, bool interrupted) {
+  if (interrupted) return ExitCode::interrupted;
+  return std::any_of(results.begin(), results.end(), fails) ? ExitCode::check_failed : ExitCode::done;
 }
 
 }  // namespace
@@ -57,25 +68,26 @@ ExitCode run_stability(const Arguments& a) {
   if (a.configurations && std::none_of(chosen.begin(), chosen.end(), [](const Sweep* s) { return has_families(*s); }))
     throw Error(ExitCode::bad_input, "--configurations", "none of these sweeps has families of configurations",
                 "leave it out, or name cull-families");
+  const Shard shard = a.shard ? parse_shard(*a.shard) : Shard{};
   const std::filesystem::path folder = a.output.value_or("out/stability");
   make_folder(folder);  // before the work: a folder that cannot be written is known at once
   const HeadlessContext context;
   const gl::Device device = gl::probe_device(without_of(a));
   Renderer renderer;
   StabilityBench bench(renderer, device);
-  const std::atomic<bool> never{false};
+  Journal journal(folder / "points.jsonl", sweeps_made_by(bench.machine()));
+  const InterruptScope scope;
   std::vector<SweepResult> results;
   for (const Sweep* s : chosen) {
     const auto measure = [&](const SweepSetup& setup) { return bench.measure(setup); };
-    SweepRun run{.limits = bench.limits(), .rounding = bench.rounding()};
+    SweepRun run{.limits = bench.limits(), .rounding = bench.rounding(), .shard = shard, .journal = &journal};
     if (has_families(*s) && a.configurations) run.values = family_values(*a.configurations);
-    results.push_back(run_sweep(*s, run, measure, show_progress, never));
+    results.push_back(run_sweep(*s, run, measure, show_progress, scope.interrupted()));
     if (!a.json) print_text(results.back());
   }
   if (a.json) fmt::print("{}\n", stability_json(results, bench.machine(), bench.rounding()).dump(1));
   write_stability_files(folder, results, bench.machine(), bench.rounding());
-  const bool all_hold = std::all_of(results.begin(), results.end(), [](const SweepResult& r) { return r.holds(); });
-  return all_hold ? ExitCode::done : ExitCode::check_failed;
+  return outcome(results, scope.interrupted());
 }
 
 }  // namespace gbl

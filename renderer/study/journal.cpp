@@ -86,9 +86,9 @@ void Journal::take(StudyRow row) {
     known = std::move(row);
 }
 
-bool Journal::has(std::string_view key) const {
+const StudyRow* Journal::found(std::string_view key) const {
   const auto it = by_key_.find(key);
-  return it != by_key_.end() && counts(rows_[it->second]);
+  return it != by_key_.end() && counts(rows_[it->second]) ? &rows_[it->second] : nullptr;
 }
 
 void Journal::append(const StudyRow& row) {

@@ -21,8 +21,10 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  // Has this key been measured, by this program? A row that failed has not: it is tried again.
-  bool has(std::string_view key) const;
+  // The row of this key, if this program has measured it; else null. One that failed is not measured: it is tried again.
+  const StudyRow* found(std::string_view key) const;
+  bool has(std::string_view key) const { return found(key) != nullptr; }
+  const std::string& made_by() const { return made_by_; }
   // One whole line, on the disk when this returns.
   // Error(unfinished) if it cannot be kept, and then nothing of it is; also if the file has been deleted or replaced.
   void append(const StudyRow& row);

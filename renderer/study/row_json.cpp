@@ -34,7 +34,10 @@ ColumnValue value_of(const Json& json) {
   const auto* text = std::get_if<std::string>(&value);
   if (!text) return {};
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return *text == "inf" ? ColumnValue(kInfinity) : *text == "-inf" ? ColumnValue(-kInfinity) : ColumnValue(*text);
+  for (const auto& [name, number] : {std::pair("inf", kInfinity), std::pair("-inf", -kInfinity),
+                                     std::pair("nan", std::numeric_limits<double>::quiet_NaN())})
+    if (*text == name) return number;
+  return *text;
 }
 
 }  // namespace
@@ -49,6 +52,7 @@ Json to_json(const ColumnValue& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   const auto* n = std::get_if<Number>(&value);
   if (!n) return nullptr;
+  if (std::isnan(n->value)) return "nan";
   if (std::isinf(n->value)) return n->value > 0 ? "inf" : "-inf";
   return to_json(OptionValue(*n));
 }

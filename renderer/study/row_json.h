@@ -15,7 +15,7 @@ std::string row_key(const Settings&);
 // {"study", "case", "key", "at", the columns or "failed", "settings"}: what makes a row findable comes first, so that a
 // line of the journal can be read by its beginning.
 Json to_json(const StudyRow&);
-Json to_json(const ColumnValue&);  // null: not measured; JSON knows no infinity: "inf", "-inf"
+Json to_json(const ColumnValue&);  // null: not measured; JSON knows no infinity: "inf", "-inf", "nan"
 void append_cells(Json& object, const std::vector<Cell>&);
 
 // One line, and back: empty if it is no row; Error(bad_input) begins with `where` if it is one of another program.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
+#include "renderer/study/stability/stability_journal.h"
 #include "renderer/study/stability/stability_sweeps.h"
 
 namespace gbl {
@@ -42,15 +43,10 @@ bool SweepResult::holds() const {
   for (const CurveResult& c : curves)
     for (const Judged& j : c.judged)
       if (!j.verdict.holds) return false;
-  return !cancelled;
+  return left == 0;
 }
 
 namespace {
-
-SweepRow row_of(const Sweep& s, const Curve& curve, double x, const SweepSetup& setup, const Measured& m) {
-  const SweepMetric& metric = sweep_metric(s.metric);
-  return {s.id, curve.id, x, metric.id, value_of(metric, setup, m), m.errors, m.truth ? lit_pixels(*m.truth) : 0};
-}
 
 void judge(const Sweep& s, const Curve& curve, CurveResult& result) {
   std::vector<CurvePoint> points;
@@ -85,7 +81,7 @@ void SweepRunner::find_next() {
   while (!complete() && !result_.curves[next_ % curves_.size()].not_drawn.empty()) ++next_;
   if (complete()) {
     for (size_t i = 0; i < curves_.size(); ++i)
-      if (result_.curves[i].not_drawn.empty()) judge(s, curves_[i], result_.curves[i]);
+      if (result_.curves[i].not_drawn.empty() && result_.left == 0) judge(s, curves_[i], result_.curves[i]);
     return;
   }
   const size_t value = next_ / curves_.size();
@@ -94,24 +90,59 @@ void SweepRunner::find_next() {
   curves_[next_ % curves_.size()].apply(setup_.settings);
 }
 
-void SweepRunner::add(const Measured& m) {
-  const size_t curve = next_ % curves_.size();
-  const double x = values_[next_ / curves_.size()];
-  result_.curves[curve].rows.push_back(row_of(*result_.sweep, curves_[curve], x, setup_, m));
+SweepRow SweepRunner::row(const Measured& m) const {
+  const SweepMetric& metric = sweep_metric(result_.sweep->metric);
+  return {.sweep = result_.sweep->id,
+          .curve = curve().id,
+          .x = value(),
+          .metric = metric.id,
+          .value = value_of(metric, setup_, m),
+          .errors = m.errors,
+          .lit_pixels = m.truth ? lit_pixels(*m.truth) : 0};
+}
+
+void SweepRunner::add(SweepRow row) {
+  result_.curves[next_ % curves_.size()].rows.push_back(std::move(row));
   ++next_;
   find_next();
 }
 
+void SweepRunner::skip() {
+  ++result_.left;
+  ++next_;
+  find_next();
+}
+
+namespace {
+
+std::string key_of(const SweepRunner& r) { return point_key(*r.result().sweep, r.curve(), r.value()); }
+
+std::optional<SweepRow> known_point(const SweepRunner& runner, const Journal* journal) {
+  const StudyRow* row = journal ? journal->found(key_of(runner)) : nullptr;
+  return row ? std::optional(point_of(*row)) : std::nullopt;
+}
+
+SweepRow measured_point(const SweepRunner& runner, Journal* journal, const MeasureFn& measure) {
+  SweepRow row = runner.row(measure(runner.setup()));
+  if (journal) journal->append(journal_row(key_of(runner), row, runner.setup().settings, journal->made_by()));
+  return row;
+}
+
+}  // namespace
+
 SweepResult run_sweep(const Sweep& s, const SweepRun& run, const MeasureFn& measure, const SweepProgressFn& progress,
                       const std::atomic<bool>& cancel) {
   SweepRunner runner(s, run);
-  while (!runner.complete() && !cancel) {
+  while (!runner.complete()) {
     if (progress) progress(s, runner.done(), runner.total());
-    runner.add(measure(runner.setup()));
+    if (std::optional<SweepRow> known = known_point(runner, run.journal))
+      runner.add(std::move(*known));
+    else if (cancel || !run.shard.takes(runner.value_index()))
+      runner.skip();
+    else
+      runner.add(measured_point(runner, run.journal, measure));
   }
-  SweepResult result = runner.result();
-  result.cancelled = !runner.complete();
-  return result;
+  return runner.result();
 }
 
 }  // namespace gbl

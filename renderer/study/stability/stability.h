@@ -14,7 +14,9 @@
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
+#include "renderer/study/journal.h"
 #include "renderer/study/stability/stability_statement.h"
+#include "renderer/study/study.h"
 #include "renderer/truth/measure.h"
 
 namespace gbl {
@@ -103,7 +105,7 @@ struct CurveResult {
 struct SweepResult {
   const Sweep* sweep = nullptr;
   std::vector<CurveResult> curves;
-  bool cancelled = false;  // then no curve is complete
+  size_t left = 0;  // points that were not measured; then no curve is judged
   bool holds() const;
 };
 
@@ -114,6 +116,8 @@ struct SweepRun {
   std::vector<double> values;  // empty: the sweep's own
   DeviceLimits limits;
   DeviceRounding rounding;
+  Shard shard;                 // takes values, so that curves still share the truth of a point
+  Journal* journal = nullptr;  // keeps each point as it is measured, and gives back those that it has
 };
 // Point by point, for a window that goes on in between. Value by value, so that curves share the truth of a point.
 class SweepRunner {
@@ -121,7 +125,13 @@ class SweepRunner {
   SweepRunner(const Sweep&, const SweepRun&);
   bool complete() const { return next_ == total(); }
   const SweepSetup& setup() const { return setup_; }  // of the next point
-  void add(const Measured&);                          // of that point; after the last one every curve is judged
+  SweepRow row(const Measured&) const;                // of that point
+  void add(SweepRow);                                 // after the last one every curve is judged
+  void add(const Measured& m) { add(row(m)); }
+  void skip();                                                      // that point stays unmeasured
+  double value() const { return values_[next_ / curves_.size()]; }  // of the parameter, at that point
+  size_t value_index() const { return next_ / curves_.size(); }
+  const Curve& curve() const { return curves_[next_ % curves_.size()]; }
   const SweepResult& result() const { return result_; }
   const std::vector<Curve>& curves() const { return curves_; }
   size_t done() const { return next_; }  // points of curves that cannot be drawn are counted, too
@@ -137,7 +147,7 @@ class SweepRunner {
   SweepSetup base_, setup_;  // of the value `based_`, before and after the curve is applied
 };
 
-// The whole sweep at once. Errors of `measure` are thrown on.
+// The whole sweep at once. Errors of `measure` and of the journal are thrown on.
 SweepResult run_sweep(const Sweep&, const SweepRun&, const MeasureFn&, const SweepProgressFn&,
                       const std::atomic<bool>& cancel);
 
