@@ -33,9 +33,10 @@ std::optional<Measured> StabilityBench::measure(const SweepSetup& setup, bool wa
   const std::shared_ptr<const TruthSet> truth = truths_.get(renderer_, scene, s, wait);
   if (!truth) return {};
   FrameReport report = renderer_.render(s, scene, targets_);
-  const Drawn drawn = read_drawn(renderer_, s, scene, targets_, true);
+  Drawn drawn = read_drawn(renderer_, s, scene, targets_, true);
   renderer_.collect(targets_, report, true);
-  return Measured{gbl::measure(truth->truth, drawn, {s.exposure, s.colour}), {truth, &truth->truth}, drawn.lit};
+  const Errors errors = gbl::measure(truth->truth, drawn, {s.exposure, s.colour});
+  return Measured{errors, {truth, &truth->truth}, std::move(drawn)};
 }
 
 Measured StabilityBench::measure(const SweepSetup& setup) { return *measure(setup, true); }

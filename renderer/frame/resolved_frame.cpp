@@ -8,6 +8,7 @@
 #include "renderer/frame/frame_lights.h"
 #include "renderer/frame/method_choice.h"
 #include "renderer/frame/resolve.h"
+#include "renderer/gbuffer/position_source.h"
 #include "renderer/scenes/rig.h"
 
 namespace gbl {
@@ -41,7 +42,7 @@ void take_attachments(ResolvedFrame& f) {
 void take_camera(ResolvedFrame& f) {
   const Settings& s = f.settings;
   f.aspect = double(s.size.x) / s.size.y;
-  f.depth_runs = s.depth.format == DepthFormat::d32f_reversed ? DepthRuns::reversed : DepthRuns::standard;
+  f.depth_runs = depth_runs(s.depth.format);
   f.clip_from_relative = clip_from_relative(s.camera, f.aspect, f.depth_runs);
 }
 

@@ -39,8 +39,6 @@ Camera camera() {
   return c;
 }
 
-DepthRuns runs_of(D f) { return f == D::d32f_reversed ? DepthRuns::reversed : DepthRuns::standard; }
-
 float stored_depth(D f, double depth) {
   const auto fixed = [&](double levels) { return static_cast<float>(std::nearbyint(depth * levels) / levels); };
   if (f == D::d16) return fixed(65535);
@@ -71,7 +69,7 @@ float range_from_stored(const Camera& c, DepthRuns runs, float depth) {
 
 glm::vec3 from_depth(const PositionRow& r, const SurfacePixel& p) {
   const Camera& c = p.camera;
-  const DepthRuns runs = runs_of(r.format);
+  const DepthRuns runs = depth_runs(r.format);
   if (r.reconstruct == R::view_ray) return by_view_ray(p, range_from_stored(c, runs, p.window_depth));
   const glm::mat4 view_from_world = glm::mat4(glm::mat4_cast(glm::conjugate(c.orientation))) *
                                     glm::mat4(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
@@ -105,6 +103,8 @@ std::span<const PositionRow> position_rows() { return kRows; }
 
 glm::dvec3 position_read(const PositionRow& r, const SurfacePixel& p) { return restored(r, p); }
 
+DepthRuns depth_runs(D f) { return f == D::d32f_reversed ? DepthRuns::reversed : DepthRuns::standard; }
+
 std::string id_of(const PositionRow& r) {
   if (r.source != S::depth) return row(r.source).id;
   return fmt::format("{}/{}/{}", row(r.source).id, row(r.format).id, row(r.reconstruct).id);
@@ -120,7 +120,7 @@ double largest_position_error(const PositionRow& r, double range) {
       const glm::vec2 ndc{(2 * x + 1) / 160.0f - 1, (2 * y + 1) / 90.0f - 1};
       const double at = range * random.in(0.99, 1.01);
       const glm::dvec3 truth = at * (rays.forward + double(ndc.x) * rays.right + double(ndc.y) * rays.up);
-      const float depth = stored_depth(r.format, depth_from_range(c, at, runs_of(r.format)));
+      const float depth = stored_depth(r.format, depth_from_range(c, at, depth_runs(r.format)));
       largest = std::max(largest, glm::distance(position_read(r, {c, kAspect, ndc, truth, depth}), truth));
     }
   return largest;

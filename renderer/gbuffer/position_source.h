@@ -31,6 +31,8 @@ struct SurfacePixel {
 // What the lighting reads by this way, relative to the camera; max_error is not asked for.
 glm::dvec3 position_read(const PositionRow&, const SurfacePixel&);
 
+DepthRuns depth_runs(DepthFormat);
+
 std::string id_of(const PositionRow&);  // "world16f", "depth/d24/view-ray"
 
 // Measured anew, over a grid of pixels of a 16:9 picture.

@@ -33,12 +33,13 @@ class ReadScope {
 constexpr const char* kReadAgain = "read it again; if it stays so, choose a smaller size";
 
 template <class Value>
-std::vector<Value> read_now(const Texture& t, GLenum type) {
+std::vector<Value> read_now(const Texture& t, GLenum channels, GLenum type) {
   const ReadScope scope(t);
   state_pixel_storage();
-  std::vector<Value> pixels(4u * t.size.x * t.size.y);
+  const size_t values_per_texel = channels == GL_RGBA ? 4 : 1;
+  std::vector<Value> pixels(values_per_texel * t.size.x * t.size.y);
   attempt({t.label, "the read-back", kReadAgain},
-          [&] { glReadPixels(0, 0, t.size.x, t.size.y, GL_RGBA, type, pixels.data()); });
+          [&] { glReadPixels(0, 0, t.size.x, t.size.y, channels, type, pixels.data()); });
   return pixels;
 }
 
@@ -53,8 +54,9 @@ GLenum state_of(GLsync fence, bool wait) {
 
 }  // namespace
 
-std::vector<uint8_t> read_rgba8(const Texture& t) { return read_now<uint8_t>(t, GL_UNSIGNED_BYTE); }
-std::vector<float> read_rgba32f(const Texture& t) { return read_now<float>(t, GL_FLOAT); }
+std::vector<uint8_t> read_rgba8(const Texture& t) { return read_now<uint8_t>(t, GL_RGBA, GL_UNSIGNED_BYTE); }
+std::vector<float> read_rgba32f(const Texture& t) { return read_now<float>(t, GL_RGBA, GL_FLOAT); }
+std::vector<float> read_depth(const Texture& t) { return read_now<float>(t, GL_DEPTH_COMPONENT, GL_FLOAT); }
 
 AsyncBytes::~AsyncBytes() { drop(); }
 

@@ -16,6 +16,7 @@ namespace gbl::gl {
 // Rows bottom to top, as GL has them. These wait for the GPU.
 std::vector<uint8_t> read_rgba8(const Texture&);
 std::vector<float> read_rgba32f(const Texture&);
+std::vector<float> read_depth(const Texture&);  // window depth, one a texel
 
 // A read-back under way: start() never waits, take() gives the data once it has arrived.
 class AsyncBytes {

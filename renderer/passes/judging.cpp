@@ -161,6 +161,7 @@ Drawn read_drawn(Renderer& renderer, const Settings& drawn, const GpuScene& scen
   out.position.assign(positions.begin(), positions.end());
   for (size_t i = 0; i < normals.size(); ++i)
     out.seen.push_back({static_cast<int>(normals[i].w), static_cast<int>(positions[i].w)});
+  out.depth = rows_from_top<float>(targets.frame.size(), gl::read_depth(*targets.frame.texture(Stores::depth)));
   if (!unlit) return out;
   Settings dark = drawn;
   dark.lights.first = 0;

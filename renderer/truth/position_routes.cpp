@@ -11,10 +11,6 @@
 namespace gbl {
 namespace {
 
-DepthRuns runs_of(const Settings& s) {
-  return s.depth.format == DepthFormat::d32f_reversed ? DepthRuns::reversed : DepthRuns::standard;
-}
-
 const StoredTexel* stored_depth(const PixelProbe& p) {
   for (const StoredTexel& t : p.stored)
     if (t.attachment.stores == Stores::depth) return &t;
@@ -54,10 +50,10 @@ DepthAccount depth_account(const Settings& s, const PixelProbe& p, const glm::dv
   out.bits = row(t->attachment.format).channel_bits[0];
   out.floating = out.bits == 32;
   out.window = window_of(out, out.code);
-  const auto range = [&](double window) { return range_from_depth(s.camera, window, runs_of(s)); };
+  const auto range = [&](double window) { return range_from_depth(s.camera, window, depth_runs(s.depth.format)); };
   out.distance = range(out.window);
   out.truth = glm::dot(relative, s.camera.forward());
-  const uint32_t farther = runs_of(s) == DepthRuns::reversed ? out.code - 1 : out.code + 1;
+  const uint32_t farther = depth_runs(s.depth.format) == DepthRuns::reversed ? out.code - 1 : out.code + 1;
   out.step = range(window_of(out, farther)) - out.distance;
   return out;
 }

@@ -45,6 +45,7 @@ struct Drawn {
   std::vector<glm::vec3> normal;    // decoded, world
   std::vector<glm::vec3> position;  // decoded, relative to the camera
   std::vector<SeenSurface> seen;    // as the frame's depth has it
+  std::vector<float> depth;         // window depth as it is stored
 };
 
 }  // namespace gbl

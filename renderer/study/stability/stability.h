@@ -30,7 +30,7 @@ struct SweepSetup {
 struct Measured {
   Errors errors;
   std::shared_ptr<const Truth> truth;
-  std::vector<glm::vec3> lit = {};  // as drawn, rows top to bottom
+  Drawn drawn = {};
 };
 
 // How this device rounds what it stores and blends into small floats: GL leaves it open, and statements depend on it.

@@ -5,6 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/frame/frame_lights.h"
+#include "renderer/gbuffer/position_source.h"
 #include "renderer/light/lights.h"
 #include "renderer/study/stability/stability.h"
 
@@ -57,9 +58,9 @@ struct RimStep {
 std::optional<double> rim_step(const SweepSetup& setup, const Measured& m) {
   const Settings& s = setup.settings;
   const std::vector<Light> lights = lights_of(s, *setup.scene);
-  if (lights.empty() || m.lit.size() != m.truth->pixels()) return std::nullopt;
+  if (lights.empty() || m.drawn.lit.size() != m.truth->pixels()) return std::nullopt;
   RimStep rim{
-      *m.truth, m.lit, {s.exposure, s.colour}, lights.front().position - s.camera.position, lights.front().range};
+      *m.truth, m.drawn.lit, {s.exposure, s.colour}, lights.front().position - s.camera.position, lights.front().range};
   const auto width = static_cast<size_t>(m.truth->size.x), height = static_cast<size_t>(m.truth->size.y);
   for (size_t y = 0; y < height; ++y)
     for (size_t x = 0; x < width; ++x) {
@@ -69,12 +70,30 @@ std::optional<double> rim_step(const SweepSetup& setup, const Measured& m) {
   return rim.step;
 }
 
+// The distance that the lighting reads beside the one that the stored depth means: what the format has lost is in both,
+// so that what is left is the shader's own arithmetic.
+std::optional<double> decode_off(const SweepSetup& setup, const Measured& m) {
+  const Settings& s = setup.settings;
+  if (s.position.source != PositionSource::depth || m.drawn.depth.size() != m.drawn.position.size()) return {};
+  const glm::dvec3 forward = view_rays(s.camera, 1).forward;
+  double off = 0;
+  for (size_t i = 0; i < m.truth->pixels(); ++i) {
+    if (!m.truth->present[i]) continue;
+    const double meant = range_from_depth(s.camera, m.drawn.depth[i], depth_runs(s.depth.format));
+    off = std::max(off, std::abs(glm::dot(glm::dvec3(m.drawn.position[i]), forward) / meant - 1));
+  }
+  return off;
+}
+
 constexpr SweepMetric kOwn[] = {
     {"lost_share", "", "share of the lit pixels with less than half their light", lost_share},
     {"wrong_light_share", "",
      "share of the lit pixels with less than half or more than one and a half times their light", wrong_light_share},
     {"mean_off", "", "mean difference over the true mean, without its sign", mean_off},
     {"rim_step", "codes of 255", "largest step across the first light's rim, as displayed", rim_step},
+    {"decode_off", "",
+     "largest relative difference between the distance that the lighting reads and the one that the stored depth means",
+     decode_off},
 };
 
 std::vector<SweepMetric> make_metrics() {

@@ -151,6 +151,25 @@ std::vector<Curve> near_plane_curves(const DeviceRounding&) {
   };
 }
 
+// ---- depth-decode ---------------------------------------------------------------------------------------------------
+
+SweepSetup depth_decode_at(double distance) {
+  return wall_at_distance(fmt::format("sweep:depth-decode/{}", distance), source_0_camera(), distance);
+}
+
+// A few roundings of a float: of the quotient, of the ray, of their product.
+constexpr double kFewRoundings = 4e-7;
+
+// Not of 24 bits: a code is no float, and to round it to one loses up to half a code before any formula reads it.
+std::vector<Curve> depth_decode_curves(const DeviceRounding&) {
+  const Flat exact{kFewRoundings};
+  return {
+      depth_curve(R::view_ray, D::d16, {exact}),
+      depth_curve(R::view_ray, D::d32f, {exact}),
+      depth_curve(R::view_ray, D::d32f_reversed, {exact}),
+  };
+}
+
 }  // namespace
 
 Sweep view_distance_sweep() {
@@ -194,6 +213,21 @@ Sweep near_plane_sweep() {
           .values = near_planes,
           .curves = near_plane_curves,
           .at = near_plane_at};
+}
+
+Sweep depth_decode_sweep() {
+  return {.id = "depth-decode",
+          .label = "From stored depth to a distance",
+          .parameter = "distance of the wall",
+          .unit = "units",
+          .log_axis = true,
+          .metric = "decode_off",
+          .help =
+              "near 1, far 10000: whatever the format has lost, the formula that reads it loses no more than a few "
+              "roundings; one that cancels loses by itself",
+          .values = view_distances,
+          .curves = depth_decode_curves,
+          .at = depth_decode_at};
 }
 
 }  // namespace gbl

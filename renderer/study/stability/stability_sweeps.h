@@ -16,6 +16,7 @@ Sweep roughness_sweep();
 Sweep view_distance_sweep();
 Sweep world_offset_sweep();
 Sweep near_plane_sweep();
+Sweep depth_decode_sweep();
 // stability_light.cpp: sums, and where a light ends
 Sweep light_count_sweep();
 Sweep range_threshold_sweep();

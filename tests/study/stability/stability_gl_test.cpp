@@ -36,6 +36,7 @@ TEST_F(StabilityGl, NormalAngle) { expect_holds("normal-angle"); }
 TEST_F(StabilityGl, Roughness) { expect_holds("roughness"); }
 TEST_F(StabilityGl, ViewDistance) { expect_holds("view-distance"); }
 TEST_F(StabilityGl, WorldOffset) { expect_holds("world-offset"); }
+TEST_F(StabilityGl, DepthDecode) { expect_holds("depth-decode"); }
 TEST_F(StabilityGl, NearPlane) { expect_holds("near-plane"); }
 TEST_F(StabilityGl, LightCount) { expect_holds("light-count"); }
 TEST_F(StabilityGl, RangeThreshold) { expect_holds("range-threshold"); }
