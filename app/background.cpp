@@ -7,6 +7,7 @@
 #include "app/background_pitfall.h"
 #include "app/background_study.h"
 #include "app/background_sweep.h"
+#include "app/pitfall_pictures.h"
 #include "renderer/base/error.h"
 
 namespace gbl {
@@ -16,6 +17,7 @@ static constexpr double kMostFrameMs = 1500;
 std::vector<std::unique_ptr<BackgroundJob>> background_jobs(Lab& lab) {
   std::vector<std::unique_ptr<BackgroundJob>> jobs;
   jobs.push_back(std::make_unique<BackgroundPitfall>(lab));
+  jobs.push_back(std::make_unique<PitfallPictures>(lab));
   jobs.push_back(std::make_unique<BackgroundSweep>(lab));
   jobs.push_back(std::make_unique<BackgroundAdvice>(lab));
   jobs.push_back(std::make_unique<BackgroundStudy>(lab));

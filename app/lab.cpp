@@ -149,16 +149,7 @@ ui::ViewImage Lab::handle_of(View view) const {
   return canvas ? ui::ViewImage{canvas->texture.id(), canvas->texture.size} : ui::ViewImage{};
 }
 
-Canvas Lab::copy_of(View view) const {
-  const Canvas& from = *targets_.canvases.drawn_view(view);
-  Canvas to = make_canvas({.size = from.texture.size, .linear_filter = true, .label = "copy"});
-  const auto [w, h] = std::pair(from.texture.size.x, from.texture.size.y);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());
-  glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return to;
-}
+Canvas Lab::copy_of(View view) const { return copied(*targets_.canvases.drawn_view(view)); }
 
 void count_lights(Lab& lab, PixelAccount& account, size_t most) {
   if (!lab.shades_pixels()) return;

@@ -80,7 +80,7 @@ class Lab {
   std::shared_ptr<const ResolvedFrame> resolve(const Settings& s) { return renderer_.resolve(s, *gpu_scene_); }
   Image image_of(View) const;  // of the view drawn last; waits for the GPU
   ui::ViewImage handle_of(View) const;
-  Canvas copy_of(View) const;  // keeps a picture that the next draw would overwrite
+  Canvas copy_of(View) const;
 
  private:
   gl::Device device_;

@@ -28,11 +28,11 @@ std::optional<PitfallEvidence> PitfallBench::measured(const Settings& drawn, con
   renderer_.count_pairs(drawn, in, targets_, true);
   renderer_.collect(targets_, report, true);
   out.pairs = report.pairs;
-  out.drawn = read_drawn(renderer_, drawn, in, targets_, true);
-  for (const glm::vec3& radiance : out.drawn.shown)
-    out.shown.emplace_back(displayed({drawn.exposure, drawn.colour}, radiance));
-  out.measured = {
-      gbl::measure(truth->truth, out.drawn, {drawn.exposure, drawn.colour}), {truth, &truth->truth}, out.drawn.lit};
+  Drawn read = read_drawn(renderer_, drawn, in, targets_, true);
+  const Display display{drawn.exposure, drawn.colour};
+  for (const glm::vec3& radiance : read.shown) out.shown.emplace_back(displayed(display, radiance));
+  const Errors errors = gbl::measure(truth->truth, read, display);
+  out.measured = {errors, {truth, &truth->truth}, std::move(read)};
   return out;
 }
 

@@ -59,10 +59,11 @@ struct Input {
   const CompareInput* compare = nullptr;             // null: nothing is compared
   std::optional<ErrorStats> error;                   // of the error view; empty: not drawn yet
   double truth_progress = 1;                         // of the reference that is being made; 1: none is
-  const ChartInput* chart = nullptr;                 // these four null: nothing is ever measured here
+  const ChartInput* chart = nullptr;                 // these five null: nothing is ever measured here
   const StabilityInput* stability = nullptr;
   const AdvisorInput* advisor = nullptr;
   const PitfallInput* pitfall = nullptr;
+  const PitfallPictures* pitfall_pictures = nullptr;
   const PathInput* path = nullptr;  // null: no file is ever opened here
   std::string message;              // an error or a notice to show until the next key; empty = none
   bool message_is_error = false;

@@ -9,5 +9,6 @@ struct Canvas {
   gl::Framebuffer framebuffer;
 };
 Canvas make_canvas(const gl::TextureDesc&, const gl::Texture* depth = nullptr);
+Canvas copied(const Canvas&);  // keeps a picture that the next draw would overwrite
 
 }  // namespace gbl

@@ -20,6 +20,16 @@ Canvas make_canvas(const gl::TextureDesc& desc, const gl::Texture* depth) {
   return c;
 }
 
+Canvas copied(const Canvas& from) {
+  Canvas to = make_canvas({.size = from.texture.size, .linear_filter = true, .label = "copy"});
+  const auto [w, h] = std::pair(from.texture.size.x, from.texture.size.y);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());
+  glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return to;
+}
+
 void Canvases::forget(glm::ivec2 new_size) {
   for (auto* c : {&composed_, &ids_, &counts_}) c->reset();  // they share depth attachments
   counts_with_depth_ = {}, counts_depth_ = {};

@@ -110,6 +110,18 @@ TEST(PitfallsPanel, WhatIsTypedFindsEntries) {
   EXPECT_EQ(desk.requests.pitfall.id, "stereographic-pole");
 }
 
+TEST(PitfallsPanel, PicturesAreAskedForWhileTheListIsOpen) {
+  Desk desk;
+  desk.frame();
+  EXPECT_FALSE(desk.requests.pitfall.list);
+  desk.press("p"), desk.frame();
+  EXPECT_TRUE(desk.requests.pitfall.list);
+  desk.press("Enter"), desk.frame();
+  EXPECT_FALSE(desk.requests.pitfall.list) << "an entry is open";
+  desk.press("l"), desk.frame();
+  EXPECT_TRUE(desk.requests.pitfall.list);
+}
+
 TEST(PitfallsPanel, EscLeavesAnEntryAsPDoes) {
   PitfallDesk desk;
   const Settings before = desk.settings;

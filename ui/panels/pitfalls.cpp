@@ -225,7 +225,7 @@ void draw_pitfalls(FrameContext& f, Painter& p, const Box& box) {
       const std::vector<size_t> found = found_entries(s);
       if (!found.empty()) s.chosen = found.front();
     }
-    const std::optional<size_t> clicked = draw_pitfall_list(s, p, shelf.room, f.type.small);
+    const std::optional<size_t> clicked = draw_pitfall_list(f, s, p, shelf.room);
     if (clicked && can_show(f, s.entries[*clicked], Shown::broken)) {
       s.chosen = *clicked;
       open(f.state, f.settings, s.entries[*clicked]);
@@ -239,6 +239,7 @@ void update(FrameContext& f) {
   if (!s.open && s.before) leave(f);
   advance_path(f);
   if (s.open && s.opened) f.requests.pitfall.id = s.opened->entry.id;
+  f.requests.pitfall.list = s.open && !s.opened;
 }
 
 }  // namespace

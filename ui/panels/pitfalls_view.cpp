@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace gbl::ui {
 namespace {
@@ -25,6 +26,14 @@ std::string numbers_of(const FrameContext& f, const PitfallEntry& e) {
   return fmt::format("{}: {}{}", out, m.help, *m.unit ? fmt::format(" ({})", m.unit) : "");
 }
 
+constexpr float kEntryLines = 3.4f;  // of text: two for the title, one for its number
+
+// A group's name or an entry.
+struct PitfallLine {
+  std::string heading = {};
+  size_t entry = 0;
+};
+
 }  // namespace
 
 std::vector<size_t> found_entries(const PitfallsState& s) {
@@ -38,47 +47,76 @@ std::vector<size_t> found_entries(const PitfallsState& s) {
   return out;
 }
 
-std::optional<size_t> draw_pitfall_list(const PitfallsState& s, Painter& p, const Box& room, float px) {
-  const float row = std::round(line_height(px) * 1.15f);
+static std::vector<PitfallLine> lines_of(const PitfallsState& s) {
   const std::vector<size_t> found = found_entries(s);
-  // Lines: a group's name, then its entries.
-  struct Line {
-    std::string heading;
-    size_t entry = 0;
-  };
-  std::vector<Line> lines;
-  size_t at_chosen = 0;
+  std::vector<PitfallLine> lines;
   for (const PitfallGroup& g : pitfall_groups()) {
     bool any = false;
     for (const size_t i : found) {
       if (s.entries[i].group != g.id) continue;
-      if (!any) lines.push_back({g.label, 0});
-      any = true;
-      if (i == s.chosen) at_chosen = lines.size();
-      lines.push_back({"", i});
+      if (!std::exchange(any, true)) lines.push_back({.heading = g.label});
+      lines.push_back({.entry = i});
     }
   }
+  return lines;
+}
+
+// Broken and fixed, and beside them what it is.
+static void draw_line(const FrameContext& f, const PitfallEntry& e, Painter& p, const Box& line) {
+  const float px = f.type.small, gap = std::round(px * 0.4f);
+  const glm::vec2 picture = glm::vec2(kPitfallPicture) * ((line.height() - 2 * gap) / kPitfallPicture.y);
+  float x = line.min.x + gap;
+  const PitfallPicture* drawn = nullptr;
+  if (const PitfallPictures* all = f.input.pitfall_pictures)
+    if (const auto it = all->find(e.id); it != all->end()) drawn = &it->second;
+  for (const uint64_t side : {drawn ? drawn->broken : 0, drawn ? drawn->fixed : 0}) {
+    const Box at{{x, line.min.y + gap}, {x + picture.x, line.min.y + gap + picture.y}};
+    if (side != 0)
+      p.list().AddImage(reinterpret_cast<ImTextureID>(side), at.min, at.max, {0, 1}, {1, 0});
+    else
+      p.fill(at, theme().surface);
+    x += picture.x + gap;
+  }
+  const std::string lecture = e.lecture > 0 ? fmt::format("{} ", e.lecture) : "";
+  const Box words{{x + gap, line.min.y + gap}, {line.max.x - gap, line.max.y - gap}};
+  const float below = words.max.y - line_height(px * 0.9f);
+  p.text_in({words.min, {words.max.x, below}}, px, theme().text, lecture + e.title, true);
+  const PitfallBounds bounds = e.toward_zero.value_or(e.bounds);  // some show on devices that truncate only
+  p.text_in(
+      {{words.min.x, below}, words.max}, px * 0.9f, theme().dim,
+      fmt::format("{}: {} → {}", e.metric, number_text(bounds.broken_at_least), number_text(bounds.fixed_at_most)));
+}
+
+std::optional<size_t> draw_pitfall_list(const FrameContext& f, const PitfallsState& s, Painter& p, const Box& room) {
+  const float px = f.type.small;
+  const std::vector<PitfallLine> lines = lines_of(s);
   if (lines.empty()) {
     draw_paragraphs(p, room, {{"Nothing is found.", theme().dim, px}}, 2);
     return {};
   }
+  const auto height = [&](const PitfallLine& l) {
+    return std::round(line_height(px) * (l.heading.empty() ? kEntryLines : 1.3f));
+  };
+  // From here on the chosen one is in the middle, as far as the list's ends allow.
+  float above = 0, total = 0;
+  for (const PitfallLine& l : lines) {
+    if (l.heading.empty() && l.entry == s.chosen) above = total + height(l) / 2;
+    total += height(l);
+  }
+  const float top = std::clamp(above - room.height() / 2, 0.0f, std::max(0.0f, total - room.height()));
   std::optional<size_t> clicked;
-  const auto fit = static_cast<size_t>(std::max(1.0f, room.height() / row));
-  const size_t first = lines.size() <= fit ? 0 : std::min(at_chosen - std::min(at_chosen, fit / 2), lines.size() - fit);
-  float y = room.min.y;
-  for (size_t i = first; i < std::min(lines.size(), first + fit); ++i, y += row) {
-    const Box line{{room.min.x, y}, {room.max.x, y + row - 1}};
-    if (!lines[i].heading.empty()) {
-      p.text_in({{line.min.x, line.min.y + above_text(px)}, {line.max.x, line.max.y + px}}, px, theme().accent,
-                lines[i].heading);
+  float y = room.min.y - top;
+  for (const PitfallLine& l : lines) {
+    const Box line{{room.min.x, y}, {room.max.x, y + height(l) - 1}};
+    y += height(l);
+    if (line.min.y < room.min.y - 1 || line.max.y > room.max.y + 1) continue;  // whole ones only
+    if (!l.heading.empty()) {
+      p.text_in({{line.min.x, line.min.y + above_text(px)}, line.max}, px, theme().accent, l.heading);
       continue;
     }
-    const PitfallEntry& e = s.entries[lines[i].entry];
-    if (hit_area(e.id.c_str(), line)) clicked = lines[i].entry;
-    if (lines[i].entry == s.chosen) p.outline(line, theme().accent, 2);
-    const std::string lecture = e.lecture > 0 ? fmt::format("{} ", e.lecture) : "";
-    p.text_in({{line.min.x + px, line.min.y + above_text(px)}, {line.max.x - 4, line.max.y + px}}, px, theme().text,
-              lecture + e.title);
+    if (hit_area(s.entries[l.entry].id.c_str(), line)) clicked = l.entry;
+    draw_line(f, s.entries[l.entry], p, line);
+    if (l.entry == s.chosen) p.outline(line, theme().accent, 2);
   }
   return clicked;
 }

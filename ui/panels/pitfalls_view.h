@@ -29,8 +29,8 @@ struct PitfallsState : PanelState {
 
 std::vector<size_t> found_entries(const PitfallsState&);  // by what is typed into its search
 
-std::optional<size_t> draw_pitfall_list(const PitfallsState&, Painter&, const Box&,
-                                        float px);  // the one that is clicked
+// The one that is clicked.
+std::optional<size_t> draw_pitfall_list(const FrameContext&, const PitfallsState&, Painter&, const Box&);
 void draw_pitfall_entry(const FrameContext&, const OpenPitfall&, Painter&, const Box&);
 // The number along its path, broken and fixed, and where the camera is.
 void draw_pitfall_path(const FrameContext&, const OpenPitfall&, Painter&, const Box&);

@@ -56,16 +56,16 @@ SweepAxes sweep_axes(const FrameContext& f) {
         out.not_finite |= !std::isfinite(*r.value);
         if (std::isfinite(*r.value)) values.push_back(*r.value);
       }
-  double least = kNoEnd, most = 0;
-  for (double& v : values) {
-    most = std::max(most, v);
+  double least = kNoEnd, most = 0, lowest = 0;
+  for (const double v : values) {
+    most = std::max(most, v), lowest = std::min(lowest, v);
     if (v > 0) least = std::min(least, v);
   }
   for (double& v : values)
-    if (v < kDust * most) v = 0;
+    if (std::abs(v) < kDust * most) v = 0;
   const bool zeros = std::find(values.begin(), values.end(), 0) != values.end();
   const bool shares = zeros && most <= 1 && least > 1e-3;  // a logarithm would make little of it
-  out.y = axis_for({.more_is_better = !f.state.of<StabilityState>().log_y.value_or(!shares)}, values);
+  out.y = axis_for({.more_is_better = !(f.state.of<StabilityState>().log_y.value_or(!shares) && lowest >= 0)}, values);
   if (out.not_finite) out.y.high = out.y.logarithmic ? 10 * out.y.high : 1.15 * out.y.high;
   return out;
 }

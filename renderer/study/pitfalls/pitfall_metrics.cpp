@@ -88,7 +88,7 @@ std::vector<Marker> markers_before_camera(const Settings& s, const Scene& scene)
 std::optional<double> markers_wrong(const PitfallEvidence& e) {
   const Truth& truth = truth_in(e);
   const Settings& s = e.setup.settings;
-  if (e.shown.size() != truth.pixels() || e.drawn.lit.size() != truth.pixels()) return {};
+  if (e.shown.size() != truth.pixels() || e.measured.drawn.lit.size() != truth.pixels()) return {};
   const std::vector<Marker> markers = markers_before_camera(s, *e.setup.scene);
   size_t judged = 0, wrong = 0;
   for (const Marker& m : markers) {
@@ -101,7 +101,7 @@ std::optional<double> markers_wrong(const PitfallEvidence& e) {
       return &o != &m && std::max(off.x, off.y) < 2 * o.half_width;  // a cube seen from a corner is wider than its edge
     };
     if (std::abs(in_front) < m.edge || std::any_of(markers.begin(), markers.end(), covers)) continue;
-    const glm::dvec3 of_lit = displayed(display_of(s), glm::dvec3(e.drawn.lit[i]));
+    const glm::dvec3 of_lit = displayed(display_of(s), glm::dvec3(e.measured.drawn.lit[i]));
     const bool seen = largest_magnitude(255.0 * (glm::dvec3(e.shown[i]) - of_lit)) > 1;
     ++judged, wrong += seen != (in_front > 0);
   }

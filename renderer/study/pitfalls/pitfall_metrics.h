@@ -11,10 +11,9 @@ namespace gbl {
 
 // What one side of a pitfall made of the truth, as read back.
 struct PitfallEvidence {
-  SweepSetup setup;        // as drawn
-  Settings meant;          // whose truth judges
-  Measured measured = {};  // against it
-  Drawn drawn = {};
+  SweepSetup setup;                   // as drawn
+  Settings meant;                     // whose truth judges
+  Measured measured = {};             // against it
   std::vector<glm::vec3> shown = {};  // as displayed, drawn forward objects included: 0..1, rows top to bottom
   std::optional<PairCounts> pairs = {};
 };

@@ -29,14 +29,19 @@ struct ValueAxis {
 
 ValueAxis axis_of(const SweepResult& result) {
   ValueAxis a;
-  double least = kNoEnd, most = 0;
+  double least = kNoEnd, most = 0, lowest = 0;
   for (const CurveResult& c : result.curves)
     for (const SweepRow& r : c.rows) {
       if (!r.value) continue;
+      if (std::isfinite(*r.value)) lowest = std::min(lowest, *r.value);
       a.not_finite |= !std::isfinite(*r.value), a.zeros |= *r.value == 0;
       if (!std::isfinite(*r.value) || !(*r.value > 0)) continue;
       least = std::min(least, *r.value), most = std::max(most, *r.value);
     }
+  if (lowest < 0) {  // a difference with its sign
+    a.top = 1.1 * std::max(most, 0.0), a.low = 1.15 * lowest, a.high = 1.15 * std::max(most, -0.1 * lowest);
+    return a;
+  }
   if (!(most > 0)) return a;
   const bool counts_shares = a.zeros && most <= 1 && least > 1e-3;
   a.logarithmic = most > kLogarithmicFrom * least && !counts_shares;

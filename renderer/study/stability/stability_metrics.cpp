@@ -85,12 +85,25 @@ std::optional<double> decode_off(const SweepSetup& setup, const Measured& m) {
   return off;
 }
 
+// The brightest pixel as drawn and as it should be, from 0 to 255: what the eye follows while the camera moves.
+std::optional<double> peak_off(const SweepSetup& setup, const Measured& m) {
+  const Display display{setup.settings.exposure, setup.settings.colour};
+  double drawn = 0, meant = 0;
+  for (size_t i = 0; i < m.truth->pixels(); ++i) {
+    if (!m.truth->present[i]) continue;
+    drawn = std::max(drawn, largest(displayed(display, glm::dvec3(m.drawn.lit[i]))));
+    meant = std::max(meant, largest(displayed(display, m.truth->lit[i])));
+  }
+  return 255 * (drawn - meant);
+}
+
 constexpr SweepMetric kOwn[] = {
     {"lost_share", "", "share of the lit pixels with less than half their light", lost_share},
     {"wrong_light_share", "",
      "share of the lit pixels with less than half or more than one and a half times their light", wrong_light_share},
     {"mean_off", "", "mean difference over the true mean, without its sign", mean_off},
     {"rim_step", "codes of 255", "largest step across the first light's rim, as displayed", rim_step},
+    {"peak_off", "codes of 255", "brightest pixel as drawn less the brightest of the truth, as displayed", peak_off},
     {"decode_off", "",
      "largest relative difference between the distance that the lighting reads and the one that the stored depth means",
      decode_off},

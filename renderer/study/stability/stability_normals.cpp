@@ -130,6 +130,40 @@ std::vector<Curve> roughness_curves(const DeviceRounding&) {
   };
 }
 
+// ---- sub-pixel-pan --------------------------------------------------------------------------------------------------
+
+std::vector<double> pans_px() {
+  std::vector<double> out;
+  for (int eighths = 0; eighths <= 32; ++eighths) out.push_back(eighths / 8.0);
+  return out;
+}
+
+// The dome, and a camera that goes to the right beside it: what moves between two frames is less than a pixel.
+SweepSetup dome_seen_from(double pan_px) {
+  SweepSetup setup = dome_of(0.15);
+  auto scene = std::make_shared<Scene>(*setup.scene);
+  scene->name = fmt::format("sweep:sub-pixel-pan/{}", pan_px);
+  setup.scene = scene;
+  Settings& s = setup.settings;
+  s.scene = scene->name;
+  s.exposure = 0.005;  // the brightest point is to be seen, not clipped
+  const double to_the_dome = s.camera.position.z - 10;
+  const double pixel = 2 * to_the_dome * s.camera.half_height(double(s.size.x) / s.size.y) / s.size.y;  // world units
+  s.camera.position.x = pan_px * pixel;
+  return setup;
+}
+
+// Half and twice what is expected of each; the last two are the frame's own float arithmetic.
+std::vector<Curve> pan_curves(const DeviceRounding&) {
+  using E = NormalEncoding;
+  const auto curve = [](E e, double least, double most) {
+    return Curve{row(e).id, [e](Settings& s) { s.normal.encoding = e; }, {Wobbles{least, most}}};
+  };
+  return {curve(E::oct8, 3, 12),      curve(E::xyz8, 2.7, 11),   curve(E::bestfit8, 0.85, 3.4),
+          curve(E::xyz10, 0.65, 2.7), curve(E::oct12, 0.3, 1.2), curve(E::oct14, 0.08, 0.35),
+          curve(E::oct16, 0, 0.15),   curve(E::xyz32f, 0, 0.1)};
+}
+
 }  // namespace
 
 Sweep normal_angle_sweep() {
@@ -158,6 +192,21 @@ Sweep roughness_sweep() {
           .values = roughnesses,
           .curves = roughness_curves,
           .at = dome_of};
+}
+
+Sweep sub_pixel_pan_sweep() {
+  return {.id = "sub-pixel-pan",
+          .label = "A highlight while the camera pans",
+          .parameter = "camera moved to the right",
+          .unit = "pixels",
+          .log_axis = false,
+          .metric = "peak_off",
+          .help =
+              "a black, glossy dome under one light, an eighth of a pixel from frame to frame: a coarse normal's "
+              "highlight flickers, since its brightest point jumps from code to code",
+          .values = pans_px,
+          .curves = pan_curves,
+          .at = dome_seen_from};
 }
 
 }  // namespace gbl

@@ -43,6 +43,12 @@ struct Writer {
     return fmt::format("goes with the power {:.4g} (within {:.2g}) of the {} {}: {} is {:.4g} to {} at {}", e.slope,
                        e.tolerance, words.parameter, stretch(e.from, e.to), words.metric, e.low, y(e.high), x(e.at));
   }
+  std::string operator()(const Wobbles& e) const {
+    const std::string by = std::isinf(e.most) ? "at least " + y(e.least)
+                           : e.least <= 0     ? "at most " + y(e.most)
+                                              : fmt::format("{:.4g} to {}", e.least, y(e.most));
+    return fmt::format("wobbles by {}: from the smallest {} to the largest", by, words.metric);
+  }
   std::string operator()(const FailsOften& e) const {
     const std::string which = words.families
                                   ? fmt::format(" of family {}", "ABC"[std::clamp(int(e.from) / kFamilySpan, 0, 2)])
@@ -121,6 +127,18 @@ struct Checker {
         return {false, fmt::format("at {:.6g} it is {:.4g}, {:.2f} times the line", p.x, *p.value, off)};
     }
     return {true, ""};
+  }
+
+  Verdict operator()(const Wobbles& e) const {
+    const Verdict finite = every(
+        -kNoEnd, kNoEnd, [](double v) { return std::isfinite(v); }, "a finite number");
+    if (!finite.holds) return finite;
+    const auto [low, high] = std::minmax_element(
+        points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) { return *a.value < *b.value; });
+    const double wobble = *high->value - *low->value;
+    if (wobble >= e.least && wobble <= e.most) return {true, ""};
+    return {false, fmt::format("it wobbles by {:.4g}, from {:.4g} at {:.6g} to {:.4g} at {:.6g}", wobble, *low->value,
+                               low->x, *high->value, high->x)};
   }
 
   Verdict operator()(const FailsOften& e) const {

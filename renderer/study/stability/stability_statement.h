@@ -54,7 +54,12 @@ struct FailsOften {
   double share = 0;
 };
 
-using Expected = std::variant<Flat, Diverges, FailsIn, Grows, FailsOften>;
+// From its smallest to its largest value, whatever these are.
+struct Wobbles {
+  double least = 0, most = kNoEnd;
+};
+
+using Expected = std::variant<Flat, Diverges, FailsIn, Grows, FailsOften, Wobbles>;
 
 // The words for a curve's axes: "camera's distance", "units"; "lost_pixels", "".
 struct AxisWords {

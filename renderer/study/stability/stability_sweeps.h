@@ -12,6 +12,7 @@ Sweep volume_level_sweep();
 // stability_normals.cpp: what a normal's code loses
 Sweep normal_angle_sweep();
 Sweep roughness_sweep();
+Sweep sub_pixel_pan_sweep();
 // stability_positions.cpp: where the surface is taken to be
 Sweep view_distance_sweep();
 Sweep world_offset_sweep();

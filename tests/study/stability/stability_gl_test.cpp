@@ -34,6 +34,7 @@ TEST_F(StabilityGl, VolumeLevel) { expect_holds("volume-level"); }
 TEST_F(StabilityGl, CullFamilies) { expect_holds("cull-families"); }
 TEST_F(StabilityGl, NormalAngle) { expect_holds("normal-angle"); }
 TEST_F(StabilityGl, Roughness) { expect_holds("roughness"); }
+TEST_F(StabilityGl, SubPixelPan) { expect_holds("sub-pixel-pan"); }
 TEST_F(StabilityGl, ViewDistance) { expect_holds("view-distance"); }
 TEST_F(StabilityGl, WorldOffset) { expect_holds("world-offset"); }
 TEST_F(StabilityGl, DepthDecode) { expect_holds("depth-decode"); }

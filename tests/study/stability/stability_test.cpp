@@ -48,8 +48,9 @@ TEST(StabilityStatement, WhatIsNotANumberIsAboveEveryBound) {
 
 TEST(StabilityStatement, NothingMeasuredProvesNothing) {
   const Points absent = {{1, std::nullopt}};
-  for (const Expected& e : {Expected(Flat{1}), Expected(Diverges{1, 1, 0, 0}), Expected(FailsIn{.from = 1, .to = 1}),
-                            Expected(Grows{}), Expected(FailsOften{.share = 1}), Expected(FailsOften{})}) {
+  for (const Expected& e :
+       {Expected(Flat{1}), Expected(Diverges{1, 1, 0, 0}), Expected(FailsIn{.from = 1, .to = 1}), Expected(Grows{}),
+        Expected(FailsOften{.share = 1}), Expected(FailsOften{}), Expected(Wobbles{})}) {
     EXPECT_FALSE(check(e, absent).holds);
     EXPECT_FALSE(check(e, Points{}).holds);
   }
@@ -85,6 +86,14 @@ TEST(StabilityStatement, GrowsAsAPowerFromALevelWithoutLeaps) {
   zero[0].value = 0;
   expect_broken(square, zero, "a number above 0");
   expect_broken(square, {{1, 3}, {10, 300}}, "fewer than three points");
+}
+
+TEST(StabilityStatement, WobblesFromItsSmallestToItsLargestValue) {
+  const Points wave = {{1, -2}, {2, 1}, {3, -3}, {4, 0}};
+  EXPECT_TRUE(check(Wobbles{.least = 4, .most = 4}, wave).holds);
+  expect_broken(Wobbles{.least = 4.1}, wave, "from -3 at 3 to 1 at 2");
+  expect_broken(Wobbles{.most = 3.9}, wave, "wobbles by 4");
+  expect_broken(Wobbles{}, {{1, 0}, {2, kNan}}, "at 2");
 }
 
 TEST(StabilityStatement, FailsOftenCountsConfigurationsOfItsFamilyOnly) {
@@ -126,7 +135,7 @@ TEST(Stability, IdsAreUniqueAndEveryRowIsWhole) {
     for (const char* text : {s.label, s.parameter, s.help, s.metric}) EXPECT_STRNE(text, "") << s.id;
     EXPECT_NO_THROW(sweep_metric(s.metric));
   }
-  EXPECT_EQ(ids.size(), 12u);
+  EXPECT_EQ(ids.size(), sweeps().size());
 }
 
 TEST(Stability, AnUnknownSweepIsAnErrorThatListsTheKnownOnes) {
