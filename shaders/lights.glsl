@@ -5,6 +5,9 @@ struct Light {
   vec3 position;  // relative to the camera, world axes
   float range;    // no light at or beyond it
   float profile;  // the range that the falloff is a function of
+#if SHADOWS
+  int shadow_map;  // its first one; -1: none
+#endif
   vec3 colour;    // times light_scale.x
 #if LIGHT_KINDS
   int kind;
@@ -29,6 +32,9 @@ Light read_light(int i) {
   light.profile = light.range;
 #else
   light.profile = light_texel(i * LIGHT_TEXELS + 4).x;
+#endif
+#if SHADOWS
+  light.shadow_map = int(light_texel(i * LIGHT_TEXELS + 4).z);
 #endif
 #if LIGHT_KINDS
   vec4 aim = light_texel(i * LIGHT_TEXELS + 2);

@@ -10,6 +10,9 @@ layout(location = 5) in vec4 colour_in;
 
 uniform sampler2D instance_data;
 uniform int first_instance;
+#if SHADOW_MAP
+uniform mat4 shadow_clip_from_relative;  // of the light's map
+#endif
 
 out vec3 relative;  // position, from the camera
 out vec3 normal;
@@ -40,6 +43,9 @@ void main() {
   mat3 normals = mat3(instance_texel(7).xyz, instance_texel(8).xyz, instance_texel(9).xyz);
   gl_Position = clip_from_object * vec4(vertex, 1.0);
   relative = vec4(vertex, 1.0) * relative_rows;
+#if SHADOW_MAP
+  gl_Position = shadow_clip_from_relative * vec4(relative, 1.0);
+#endif
 #if MISTAKE_NONUNIFORM_SCALE_NORMAL
   normal = vec4(normal_object, 0.0) * relative_rows;
 #else

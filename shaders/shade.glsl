@@ -3,6 +3,7 @@
 // attenuation, so no 1/pi appears below.
 #include "surface.glsl"
 #include "lights.glsl"
+#include "shadow.glsl"
 
 struct Lighting {
   vec3 diffuse;   // without albedo
@@ -138,6 +139,9 @@ Lighting shade(Surface s, Light light) {
   if (!(n_dot_l > 0.0)) return none;  // turned away: no diffuse, and no highlight either (`specular-ungated`)
 #endif
   Lighting r = reflected(s, to_light, n_dot_l);
+#if SHADOWS
+  strength *= visibility(light, s.position, s.normal, to_light);
+#endif
   vec3 arriving = light.colour * strength;
   return Lighting(arriving * r.diffuse, arriving * r.specular);
 }

@@ -10,11 +10,15 @@
 
 // Light records in the light texture, RGBA32F texels:
 //   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, falloff coefficients
-//   4: the range that the falloff's profile is a function of, the volume's shape   5: screen bounds, NDC: x from, y from, x to, y to
+//   4: the range that the falloff's profile is a function of, the volume's shape, its first shadow map (-1: none)   5: screen bounds, NDC: x from, y from, x to, y to
 #define LIGHT_TEXELS 6
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2
+
+// Shadow maps in their texture, RGBA32F texels: 0-3 columns of clip_from_relative   4: the tile's corner in texels,
+// world units of a texel (of a perspective map at distance 1), where the next cascade takes over along the view axis
+#define SHADOW_MAP_TEXELS 5
 
 // What stands for a light where volumes are drawn; SCREEN: a light without end.
 #define VOLUME_SPHERE 0
@@ -73,6 +77,7 @@ GBL_BLOCK(FrameBlock) {
   vec4 position_cycle;       // x: world units in which the position view's colours repeat
   vec4 light_scale;          // what light sums are stored times, 1 over it: powers of two (resolved_frame.h)
   ivec4 lights;              // count, -, -, -
+  vec4 shadow_bias;          // in texels: towards the light, times the slope, along the normal; w unused
 };
 
 #undef GBL_BLOCK

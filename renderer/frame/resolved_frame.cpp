@@ -46,6 +46,22 @@ void take_camera(ResolvedFrame& f) {
   f.clip_from_relative = clip_from_relative(s.camera, f.aspect, f.depth_runs);
 }
 
+void take_shadows(ResolvedFrame& f, const Scene& scene) {
+  const Settings& s = f.settings;
+  if (s.shadows == Shadows::off) return;
+  const auto texels = [](ShadowMapSize size) { return 256 << static_cast<int>(size); };
+  f.shadows = plan_shadows(f.lights, s.camera, f.aspect, scene.bounds,
+                           {.map_texels = texels(s.shadow.map_size),
+                            .cascades = s.shadow.cascades,
+                            .most_lights = s.shadow.max_lights,
+                            .suns_only = s.shadows == Shadows::sun});
+  if (f.shadows.without > 0)
+    f.choices.push_back(
+        fmt::format("{} of {} lights have no shadow map: shadow.max-lights is {}, and all maps fit into "
+                    "{} texels a side",
+                    f.shadows.without, f.shadows.without + f.shadows.with, s.shadow.max_lights, kMostShadowTexels));
+}
+
 Settings without_view(Settings s) {
   s.view = {};
   return s;
@@ -87,6 +103,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   f.light_work = estimate_work(f.settings, f.lights);
   take_attachments(f);
   take_camera(f);
+  take_shadows(f, scene);
   f.light_sum_scale = light_sum_scale(f.settings.exposure);
   f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;
   return f;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/frame/attachments.h"
+#include "renderer/light/shadow_maps.h"
 #include "renderer/scene/scene.h"
 
 namespace gbl {
@@ -32,6 +33,8 @@ struct ResolvedFrame {
   bool multisampled = false;
   double volume_depth_step = 0;   // window depth that rounding can hide between a surface and a volume's face
   bool transparent_pass = false;  // something is drawn forward after the lighting
+
+  ShadowPlan shadows;  // no maps: no light has a shadow
 
   double light_sum_scale = 1;  // light sums are stored times this power of two
 

@@ -19,6 +19,33 @@ constexpr ValueRow kLightMarkers[] = {
   {.value = at(LightMarkers::off), .id = "off", .label = "off", .help = "lights are not drawn"},
   {.value = at(LightMarkers::on), .id = "on", .label = "cubes", .help = "a small cube in its colour at each point and spot light, drawn forward after lighting", .source = "de Vries 2014, LearnOpenGL, Deferred Shading"},
 };
+constexpr ValueRow kShadows[] = {
+  {.value = at(Shadows::off), .id = "off", .label = "off", .help = "light passes through everything, as in the tutorials' first steps"},
+  {.value = at(Shadows::sun), .id = "sun", .label = "of the sun", .help = "what stands between a surface and a directional light hides it; blended surfaces hide nothing"},
+  {.value = at(Shadows::all), .id = "all", .label = "of all lights", .help = "the same of point and spot lights, too"},
+};
+constexpr ValueRow kShadowMapSize[] = {
+  {.value = at(ShadowMapSize::s256), .id = "256", .label = "256", .help = "texels to a side of each map", .cost = "64 K texels a map"},
+  {.value = at(ShadowMapSize::s512), .id = "512", .label = "512", .help = "texels to a side of each map", .cost = "256 K texels a map"},
+  {.value = at(ShadowMapSize::s1024), .id = "1024", .label = "1024", .help = "texels to a side of each map", .cost = "1 M texels a map"},
+  {.value = at(ShadowMapSize::s2048), .id = "2048", .label = "2048", .help = "texels to a side of each map", .cost = "4 M texels a map"},
+  {.value = at(ShadowMapSize::s4096), .id = "4096", .label = "4096", .help = "texels to a side of each map", .cost = "16 M texels a map"},
+};
+constexpr ValueRow kShadowFormat[] = {
+  {.value = at(ShadowFormat::d16), .id = "d16", .label = "D16", .help = "65536 depths: of a light's perspective most of them lie just before it", .cost = "2 B a texel"},
+  {.value = at(ShadowFormat::d24), .id = "d24", .label = "D24", .help = "what most programs take", .cost = "4 B a texel"},
+  {.value = at(ShadowFormat::d32f), .id = "d32f", .label = "D32F", .help = "float depth", .cost = "4 B a texel"},
+};
+constexpr ValueRow kShadowCull[] = {
+  {.value = at(ShadowCull::none), .id = "none", .label = "both faces drawn", .help = "whatever is in the way hides the light, whichever side it turns to it"},
+  {.value = at(ShadowCull::back), .id = "back", .label = "front faces drawn", .help = "an open surface hides nothing from behind"},
+  {.value = at(ShadowCull::front), .id = "front", .label = "back faces drawn", .help = "no acne on what is lit, but open surfaces hide nothing and light leaks where a wall is thin", .source = "engine blog, shadow passes"},
+};
+constexpr ValueRow kShadowFilter[] = {
+  {.value = at(ShadowFilter::none), .id = "none", .label = "nearest texel", .help = "lit or not: the edge has steps"},
+  {.value = at(ShadowFilter::bilinear), .id = "2x2", .label = "2 x 2, weighted", .help = "the four texels around the point, by its place among them: what a hardware comparison gives", .source = "Reeves et al. 1987, Rendering Antialiased Shadows with Depth Maps"},
+  {.value = at(ShadowFilter::pcf3), .id = "3x3", .label = "3 x 3", .help = "nine comparisons averaged: softer, and wrong for as many texels more", .source = "Reeves et al. 1987, Rendering Antialiased Shadows with Depth Maps"},
+};
 constexpr ValueRow kAttenuation[] = {
   {.value = at(Attenuation::none), .id = "none", .label = "none", .help = "full strength up to the range, then nothing"},
   {.value = at(Attenuation::linear), .id = "linear", .label = "linear 1 - d/r", .help = "falls in a straight line to 0 at the range; a visible kink at the rim", .source = "nclgl tutorial 15, pointlightfragment.glsl line 27"},
@@ -68,6 +95,11 @@ constexpr ValueRow kVolumeDepth[] = {
 GBL_ROWS(LightSource, kLightSource)
 GBL_ROWS(LightSpot, kLightSpot)
 GBL_ROWS(LightMarkers, kLightMarkers)
+GBL_ROWS(Shadows, kShadows)
+GBL_ROWS(ShadowMapSize, kShadowMapSize)
+GBL_ROWS(ShadowFormat, kShadowFormat)
+GBL_ROWS(ShadowCull, kShadowCull)
+GBL_ROWS(ShadowFilter, kShadowFilter)
 GBL_ROWS(Attenuation, kAttenuation)
 GBL_ROWS(RangeKind, kRangeKind)
 GBL_ROWS(LightCull, kLightCull)

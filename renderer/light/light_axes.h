@@ -8,6 +8,11 @@ namespace gbl {
 enum class LightSource { scene, generated, rig };
 enum class LightSpot { cone, cos_power };
 enum class LightMarkers { off, on };
+enum class Shadows { off, sun, all };
+enum class ShadowMapSize { s256, s512, s1024, s2048, s4096 };
+enum class ShadowFormat { d16, d24, d32f };
+enum class ShadowCull { none, back, front };
+enum class ShadowFilter { none, bilinear, pcf3 };
 enum class Attenuation { none, linear, quadratic, ramp, inverse_linear, windowed, gltf };
 enum class RangeKind { source, threshold, windowed, none };
 enum class LightCull { flip, back, none, front, flip_safe };

@@ -198,6 +198,9 @@ constexpr Use kByNormalMaps = {[](const Settings& s) { return s.normal_map == No
 constexpr Use kByThreshold = {[](const Settings& s) { return s.range.kind == RangeKind::threshold; },
                               [](const Settings& s) { return fmt::format("range {}", row(s.range.kind).label); }};
 
+constexpr Use kByShadows = {[](const Settings& s) { return s.shadows != Shadows::off; },
+                            [](const Settings& s) { return fmt::format("shadows {}", row(s.shadows).label); }};
+
 // clang-format off
 const Option kOptions[] = {
   {.path = "scene", .group = Group::truth, .label = "Scene", .help = "builtin:NAME, or a model's file", TEXT(scene)},
@@ -225,6 +228,7 @@ const Option kOptions[] = {
   {.path = "shading.model", .group = Group::truth, .label = "Shading", .help = "the surface's reflection", .key = "K", CHOICE(ShadingModel, shading.model)},
   {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_value, .set = SET(s.shading.exponent = checked_exponent(o, v))},
   {.path = "shading.specular", .group = Group::truth, .label = "Specular", .help = "factor of the highlight", NUMBER(shading.specular, 0, 100)},
+  {.path = "shadows", .group = Group::truth, .label = "Shadows", .help = "which lights are hidden by what stands in their way", CHOICE(Shadows, shadows)},
   {.path = "ambient", .group = Group::truth, .label = "Ambient", .help = "light from everywhere, times the albedo", NUMBER(ambient, 0, 1e6)},
   {.path = "background.fill", .group = Group::truth, .label = "Background", .help = "what is seen where no surface is", CHOICE(BackgroundFill, background.fill)},
   {.path = "background.colour", .group = Group::truth, .label = "Background colour", .help = "linear, for background.fill=colour", .kind = Kind::vector, .min = 0, .max = 1e6, .get = GET(vec3_list(s.background.colour)), .set = SET(s.background.colour = checked_vec3(o, v))},
@@ -247,6 +251,15 @@ const Option kOptions[] = {
   {.path = "accumulation.format", .group = Group::method, .label = "Accumulation", .help = "what light is summed in", .key = "F", CHOICE(AccumulationFormat, accumulation.format), .use = &kByGbuffer},
   {.path = "accumulation.targets", .group = Group::method, .label = "Light targets", .help = "diffuse and specular together or apart", CHOICE(AccumulationTargets, accumulation.targets), .use = &kByGbuffer},
   {.path = "background.skip", .group = Group::method, .label = "Background skip", .help = "how pixels without a surface are left out", CHOICE(BackgroundSkip, background.skip), .use = &kByGbuffer},
+  {.path = "shadow.map-size", .group = Group::method, .label = "Shadow map", .help = "texels to a side", CHOICE(ShadowMapSize, shadow.map_size), .use = &kByShadows},
+  {.path = "shadow.format", .group = Group::method, .label = "Shadow format", .help = "of the maps' depth", CHOICE(ShadowFormat, shadow.format), .use = &kByShadows},
+  {.path = "shadow.cull", .group = Group::method, .label = "Shadow faces", .help = "which faces hide the light", CHOICE(ShadowCull, shadow.cull), .use = &kByShadows},
+  {.path = "shadow.filter", .group = Group::method, .label = "Shadow filter", .help = "how a map is read", CHOICE(ShadowFilter, shadow.filter), .use = &kByShadows},
+  {.path = "shadow.bias", .group = Group::method, .label = "Shadow bias", .help = "a point is moved towards the light before it is compared", .unit = "texels", NUMBER(shadow.bias, 0, 1000), .use = &kByShadows},
+  {.path = "shadow.slope-bias", .group = Group::method, .label = "Slope bias", .help = "the same, times the tangent of the angle between light and normal", .unit = "texels", NUMBER(shadow.slope_bias, 0, 1000), .use = &kByShadows},
+  {.path = "shadow.normal-offset", .group = Group::method, .label = "Normal offset", .help = "a point is moved along its normal before it is compared", .unit = "texels", NUMBER(shadow.normal_offset, 0, 1000), .use = &kByShadows},
+  {.path = "shadow.cascades", .group = Group::method, .label = "Cascades", .help = "maps of a sun, each for a part of the depth", INTEGER(shadow.cascades, 1, 4), .use = &kByShadows},
+  {.path = "shadow.max-lights", .group = Group::method, .label = "Shadowed lights", .help = "so many lights have maps, suns first; light of the others passes through everything", INTEGER(shadow.max_lights, 0, 256), .use = &kByShadows},
   {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents), .use = &kByNormalMaps},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},

@@ -66,6 +66,7 @@ struct Settings {
     double specular = 0.04;  // factor of the highlight
     bool operator==(const Shading&) const = default;
   } shading;
+  Shadows shadows = Shadows::off;
   double ambient = 0.2;
   struct Background {
     BackgroundFill fill = BackgroundFill::grey;
@@ -99,6 +100,18 @@ struct Settings {
     AccumulationTargets targets = AccumulationTargets::split;
     bool operator==(const Accumulation&) const = default;
   } accumulation;
+  struct Shadow {  // biases in texels of the map, so that one value serves every scene
+    ShadowMapSize map_size = ShadowMapSize::s1024;
+    ShadowFormat format = ShadowFormat::d32f;
+    ShadowCull cull = ShadowCull::none;
+    ShadowFilter filter = ShadowFilter::bilinear;
+    double bias = 0.5;         // towards the light
+    double slope_bias = 1.5;   // … times the tangent of the light's angle to the normal
+    double normal_offset = 0;  // along the normal
+    int cascades = 3;          // maps of a sun
+    int max_lights = 8;        // that have maps
+    bool operator==(const Shadow&) const = default;
+  } shadow;
   Tangents tangents = Tangents::vertex;
   Antialias antialias = Antialias::none;
   DrawOrder draw_order = DrawOrder::near_far;

@@ -93,9 +93,19 @@ std::vector<GpuScene::Batch> batched(const Scene& scene) {
 
 }  // namespace
 
+static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) {
+  Bounds out = kNoBounds;
+  const std::array<glm::dvec3, 8> corners = corners_of(bounds_of(scene.meshes[static_cast<size_t>(batch.mesh)]));
+  for (const int i : batch.instances)
+    for (const glm::dvec3& c : corners)
+      include(out, scene.instances[static_cast<size_t>(i)].world_from_object * glm::dvec4(c, 1));
+  return out;
+}
+
 GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
   for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m));
   batches_ = batched(*scene_);
+  for (const Batch& b : batches_) batch_bounds_.push_back(bounds_of_batch(*scene_, b));
   const uint8_t white[] = {255, 255, 255, 255}, flat[] = {128, 128, 255, 255};
   white_ = gl::make_image({.rgba = white, .label = "white"});
   flat_normal_ = gl::make_image({.rgba = flat, .label = "flat normal"});

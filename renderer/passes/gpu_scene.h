@@ -35,6 +35,9 @@ class GpuScene {
   };
   const std::vector<Batch>& batches() const { return batches_; }
 
+  // The box about all instances of a batch, in the world.
+  const Bounds& bounds(const Batch& b) const { return batch_bounds_[static_cast<size_t>(&b - batches_.data())]; }
+
   // kNoTexture gives a neutral texel. A colour texture is decoded from sRGB when sampled, except as-tutorial.
   const gl::Texture& colour_texture(int i, Colour) const;
   const gl::Texture& data_texture(int i) const;    // white if none
@@ -46,6 +49,7 @@ class GpuScene {
   std::shared_ptr<const Scene> scene_;
   std::vector<GpuMesh> meshes_;
   std::vector<Batch> batches_;
+  std::vector<Bounds> batch_bounds_;
   gl::Texture white_, flat_normal_;
   mutable std::vector<gl::Texture> srgb_, linear_;  // made at first use: a scene may need only one of the two
 };

@@ -148,6 +148,11 @@ std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
   return draws;
 }
 
+static gl::Cull cull_of(ObjectFaces faces, bool double_sided) {
+  if (double_sided || faces == ObjectFaces::all) return gl::Cull::off;
+  return faces == ObjectFaces::kept ? gl::Cull::back : gl::Cull::front;
+}
+
 int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const char* fragment,
                  const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms,
                  Corners corners, ObjectFaces faces) {
@@ -163,9 +168,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     bind_material(frame, program, material);
     if (set_uniforms) set_uniforms(program);
     glUniform1i(program.uniform("first_instance"), draw.first);
-    gl::apply_cull(faces == ObjectFaces::culled ? gl::Cull::front
-                   : material.double_sided      ? gl::Cull::off
-                                                : gl::Cull::back);
+    gl::apply_cull(cull_of(faces, material.double_sided));
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
     if (corners == Corners::numbered) {
       draw_numbered(frame, draw, program);

@@ -19,8 +19,9 @@ std::vector<ObjectDraw> prepare_objects(Frame&, bool transparent);
 
 // How corners reach the vertex shader: shared by indices, or one by one, which numbers the triangles (TRIANGLE_IDS).
 enum class Corners { shared, numbered };
-// Which faces of single-sided materials are drawn: those that the geometry pass keeps, or those that it culls, alone.
-enum class ObjectFaces { kept, culled };
+// Which faces are drawn: those that the geometry pass keeps; those that it culls, and nothing else; back faces, and all of
+// double-sided materials; all.
+enum class ObjectFaces { kept, culled, back, all };
 
 // Draw with the given fragment shader; defines of the material are added; `set_uniforms` sets what else the shader
 // reads. -> draw calls

@@ -28,6 +28,7 @@ struct PassRow {
 };
 
 namespace pass {
+inline bool shadows(const ResolvedFrame& f) { return !f.shadows.maps.empty(); }
 inline bool forward(const ResolvedFrame& f) { return f.shading == Shading::forward; }
 inline bool gbuffer(const ResolvedFrame& f) { return f.shading != Shading::forward; }
 inline bool deferred(const ResolvedFrame& f) { return f.shading == Shading::deferred; }
@@ -38,6 +39,7 @@ inline bool transparent(const ResolvedFrame& f) { return f.transparent_pass; }
 
 // clang-format off
 inline constexpr PassRow kPasses[] = {
+  {"shadows",     pass::shadows,       {},                                         {},                                               draw_shadow_maps},
   {"forward",     pass::forward,       {},                                         {Stores::depth, Stores::lit},                     draw_forward_frame},
   {"geometry",    pass::gbuffer,       {},                                         kMaterials | StoresSet{Stores::depth, Stores::light}, draw_geometry},
   {"lighting",    pass::gbuffer,       kMaterials | StoresSet{Stores::depth},      kLightSums | StoresSet{Stores::light_depth},      draw_light_sums},

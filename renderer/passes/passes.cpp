@@ -84,7 +84,12 @@ void bind_gbuffer(const Frame& frame) {
   bind_if_stored(frame, Stores::id, "gbuffer_id");
 }
 
-void bind_lights(const Frame& frame) { gl::bind_texture("light_data", frame.targets().uploads.light_data); }
+void bind_lights(const Frame& frame) {
+  gl::bind_texture("light_data", frame.targets().uploads.light_data);
+  if (frame.resolved.shadows.maps.empty()) return;
+  gl::bind_texture("shadow_depth", frame.targets().shadows.depth);
+  gl::bind_texture("shadow_records", frame.targets().shadows.records);
+}
 
 void bind_light_sums(const Frame& frame) {
   bind_if_stored(frame, Stores::light, "light_sum");
@@ -117,6 +122,7 @@ void upload_frame_block(Frame& frame) {
   block.light_scale = {frame.resolved.light_sum_scale, 1 / frame.resolved.light_sum_scale, 0, 0};
   const Bounds& bounds = frame.scene.scene().bounds;
   block.position_cycle = glm::vec4(position_cycle(bounds), 0, 0, 0);
+  block.shadow_bias = glm::vec4(s.shadow.bias, s.shadow.slope_bias, s.shadow.normal_offset, 0);
   block.lights = glm::ivec4(frame.light_count(), 0, 0, 0);
   if (!frame.targets().uploads.frame_block) frame.targets().uploads.frame_block = gl::Buffer::make();
   gl::write_uniform_block(frame.targets().uploads.frame_block, 0, &block, sizeof block);
@@ -130,12 +136,15 @@ void upload_lights(Frame& frame) {
   Uploads& up = frame.targets().uploads;
   const bool reads_bounds = frame.settings.lights.method == LightMethod::quads;
   up.record_texels.clear();
+  const std::vector<int>& first_maps = frame.resolved.shadows.first_map;
+  size_t next = 0;
   for (const Light& l : frame.lights()) {
+    const int first_map = first_maps.empty() ? -1 : first_maps[next++];
     up.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
     up.record_texels.emplace_back(l.colour * frame.resolved.light_sum_scale, static_cast<int>(l.kind));
     up.record_texels.emplace_back(l.direction, l.inner_cos);
     up.record_texels.emplace_back(l.outer_cos, l.coefficients);
-    up.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), 0, 0);
+    up.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), first_map, 0);
     up.record_texels.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
   upload_records(up.light_data, up.record_texels, "light_data", "lights");

@@ -27,6 +27,7 @@ void upload_lights(Frame&);
 void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, const char* sampler, const char* label);
 
 // -> draw calls
+int draw_shadow_maps(Frame&);
 int draw_forward_frame(Frame&);  // background, then surfaces shaded as they are drawn
 int draw_geometry(Frame&);
 int draw_light_sums(Frame&);    // the lists of its method, then light

@@ -105,6 +105,13 @@ void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
   out.push_back({"LIGHT_KINDS", f.light_kinds});
   out.push_back({"RANGE_IS_PROFILE", s.range.kind == RangeKind::source || s.range.kind == RangeKind::windowed});
   out.push_back({"RANGE_WINDOWED", s.range.kind == RangeKind::windowed});
+  const bool shadows = !f.shadows.maps.empty();
+  out.push_back({"SHADOWS", shadows});
+  if (shadows) {
+    append_axis(out, "SHADOW_FILTER", "SHADOW_FILTER_", s.shadow.filter);
+    out.push_back({"SHADOW_TEXELS", f.shadows.map_texels});
+    out.push_back({"SHADOW_CASCADES", s.shadow.cascades});
+  }
   out.push_back({"SPOT_COS_POWER", s.lights.spot == LightSpot::cos_power});
 }
 

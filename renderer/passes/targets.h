@@ -36,10 +36,17 @@ struct ReadBacks {
   void drop() { counts.drop(), probe.drop(), error.drop(); }  // they are of another frame than the next
 };
 
+// Depth as lights see it, all maps side by side, and what each map is: rows of records.
+struct ShadowTargets {
+  gl::Texture depth, records;
+  gl::Framebuffer framebuffer;
+};
+
 struct Targets {
   FrameTextures frame;
   Canvases canvases;
   Uploads uploads;
+  ShadowTargets shadows;
   gl::PassTimers timers;
   ReadBacks reads;
   std::shared_ptr<const ResolvedFrame> drawn;  // the frame drawn last; null before the first

@@ -1,29 +1,9 @@
 #include "renderer/scene/scene.h"
 
-#include <array>
-#include <limits>
-
 namespace gbl {
 namespace {
 
 constexpr uint64_t kMostPoints = 20'000'000;  // visited one by one: a fraction of a second
-
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr Bounds kNothing{glm::dvec3(kInf), glm::dvec3(-kInf)};
-
-void include(Bounds& bounds, const glm::dvec3& p) {
-  bounds.min = glm::min(bounds.min, p);
-  bounds.max = glm::max(bounds.max, p);
-}
-
-std::array<glm::dvec3, 8> corners_of(const Mesh& mesh) {
-  Bounds box = kNothing;
-  for (const Vertex& v : mesh.vertices) include(box, glm::dvec3(v.position));
-  std::array<glm::dvec3, 8> corners;
-  for (unsigned i = 0; i < corners.size(); ++i)
-    corners[i] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
-  return corners;
-}
 
 }  // namespace
 
@@ -41,13 +21,26 @@ void visit_points(const Scene& scene, const std::function<void(const glm::dvec3&
     return;
   }
   std::vector<std::array<glm::dvec3, 8>> boxes;
-  for (const Mesh& mesh : scene.meshes) boxes.push_back(corners_of(mesh));
+  for (const Mesh& mesh : scene.meshes) boxes.push_back(corners_of(bounds_of(mesh)));
   for (const Instance& instance : scene.instances)
     for (const glm::dvec3& p : boxes[static_cast<size_t>(instance.mesh)]) visit_placed(instance, p);
 }
 
+std::array<glm::dvec3, 8> corners_of(const Bounds& box) {
+  std::array<glm::dvec3, 8> corners;
+  for (unsigned i = 0; i < corners.size(); ++i)
+    corners[i] = {i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
+  return corners;
+}
+
+Bounds bounds_of(const Mesh& mesh) {
+  Bounds b = kNoBounds;
+  for (const Vertex& v : mesh.vertices) include(b, glm::dvec3(v.position));
+  return b;
+}
+
 Bounds bounds_of(const Scene& scene) {
-  Bounds b = kNothing;
+  Bounds b = kNoBounds;
   visit_points(scene, [&](const glm::dvec3& p) { include(b, p); });
   return b.min.x <= b.max.x ? b : Bounds{};
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -187,5 +188,12 @@ struct Scene {
 void visit_points(const Scene&, const std::function<void(const glm::dvec3&)>&);
 
 Bounds bounds_of(const Scene&);  // of no point: empty, at the origin
+Bounds bounds_of(const Mesh&);   // in object space; of no point: kNoBounds
+
+// A box that grows: kNoBounds includes no point.
+inline constexpr Bounds kNoBounds{glm::dvec3(std::numeric_limits<double>::infinity()),
+                                  glm::dvec3(-std::numeric_limits<double>::infinity())};
+inline void include(Bounds& b, const glm::dvec3& p) { b.min = glm::min(b.min, p), b.max = glm::max(b.max, p); }
+std::array<glm::dvec3, 8> corners_of(const Bounds&);
 
 }  // namespace gbl

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,16 +83,6 @@ Camera camera_at(glm::dvec3 position, double yaw_deg, double pitch_deg, double f
   camera.near = near;
   camera.far = far;
   return camera;
-}
-
-Bounds bounds_of(const Mesh& mesh) {
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  Bounds b{glm::dvec3(kInf), glm::dvec3(-kInf)};
-  for (const Vertex& v : mesh.vertices) {
-    b.min = glm::min(b.min, glm::dvec3(v.position));
-    b.max = glm::max(b.max, glm::dvec3(v.position));
-  }
-  return b;
 }
 
 Mesh make_sheet(glm::dvec3 corner, glm::dvec3 right, glm::dvec3 up, double uv_per_unit, glm::ivec2 cells) {

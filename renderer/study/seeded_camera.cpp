@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderer/base/random.h"
-#include "renderer/study/scene_rays.h"
+#include "renderer/truth/scene_rays.h"
 
 namespace gbl {
 namespace {

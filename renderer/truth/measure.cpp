@@ -39,6 +39,8 @@ constexpr ErrorColumn kColumns[] = {
     {"nonfinite_pixels", "", "pixels with NaN or infinity", &Errors::nonfinite_pixels},
     {"lost_pixels", "", "pixels with less than half their light", &Errors::lost_pixels},
     {"doubled_pixels", "", "pixels with more than one and a half times their light", &Errors::doubled_pixels},
+    {"shadow_lit_pixels", "", "pixels that are lit although something hides the light: too bright by a quarter of what would arrive", &Errors::shadow_lit_pixels},
+    {"shadow_dark_pixels", "", "pixels that are dark although nothing hides the light: too dark by a quarter of what would arrive", &Errors::shadow_dark_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
     {"background_off_pixels", "", "pixels without a surface that are brighter or darker than the background", &Errors::background_off_pixels},
     {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
@@ -163,6 +165,21 @@ void count_lost_and_doubled(Errors& e, const Truth& truth, const Drawn& drawn) {
   e.lost_pixels = static_cast<double>(lost), e.doubled_pixels = static_cast<double>(doubled);
 }
 
+// By the channel that is brightest without shadows.
+void count_wrong_shadows(Errors& e, const Truth& truth, const Drawn& drawn) {
+  constexpr double kShare = 0.25;  // of what would arrive
+  size_t lit = 0, dark = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    const glm::dvec3 got = glm::dvec3(drawn.lit[i]) - glm::dvec3(drawn.unlit[i]);
+    if (!truth.present[i] || !finite(got)) continue;
+    const int k = largest_channel(truth.unshadowed[i]);
+    const double all = truth.unshadowed[i][k], off = got[k] - truth.light(i)[k];
+    if (!(all > kCode)) continue;
+    lit += off > kShare * all, dark += off < -kShare * all;
+  }
+  e.shadow_lit_pixels = static_cast<double>(lit), e.shadow_dark_pixels = static_cast<double>(dark);
+}
+
 // ---- attributes -----------------------------------------------------------------------------------------------------
 
 // atan2, since acos of a dot product near 1 loses all angles below 1e-6 degrees and most digits of those above. A
@@ -209,6 +226,7 @@ Errors measure(const Truth& truth, const Drawn& drawn, const Display& display) {
     count_nonfinite_and_background(e, truth, drawn.lit);
     if (compared > 0) measure_radiance(e, truth, drawn.lit, ties), measure_display(e, truth, drawn.lit, display);
     if (compared > 0 && !drawn.unlit.empty()) count_lost_and_doubled(e, truth, drawn);
+    if (compared > 0 && !drawn.unlit.empty() && !truth.unshadowed.empty()) count_wrong_shadows(e, truth, drawn);
   }
   if (!drawn.shown.empty()) e.blended_pixels = count_blended(drawn);
   if (!drawn.normal.empty()) measure_normals(e, truth, drawn.normal, ties);

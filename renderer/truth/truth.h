@@ -32,6 +32,7 @@ struct Truth {
   std::vector<glm::dvec3> normal;             // world, unit
   std::vector<glm::dvec3> position;           // relative to the camera, world axes and units
   std::vector<Rival> rivals;                  // sorted
+  std::vector<glm::dvec3> unshadowed;         // light if nothing hid any; empty: no light has a shadow
 
   size_t pixels() const { return static_cast<size_t>(size.x) * static_cast<size_t>(size.y); }
   glm::dvec3 light(size_t i) const { return albedo[i] * diffuse[i] + specular[i]; }  // without ambient and emission

@@ -25,6 +25,7 @@ struct TruthLight {
 
 struct Reflected {
   glm::dvec3 diffuse{0}, specular{0};  // diffuse without albedo
+  bool nothing() const { return diffuse == glm::dvec3(0) && specular == glm::dvec3(0); }
 };
 
 // The settings' part of the model, once per picture.

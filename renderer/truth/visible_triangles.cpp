@@ -5,42 +5,10 @@
 #include <thread>
 
 #include "renderer/picture/srgb.h"
+#include "renderer/truth/texture_at.h"
 
 namespace gbl {
 namespace {
-
-int wrapped(double at, int size, Wrap wrap) {
-  const double whole = std::floor(at);
-  double within = at - whole;
-  if (wrap == Wrap::clamp) within = std::clamp(at, 0.0, 1.0);
-  if (wrap == Wrap::mirror && std::fmod(std::abs(whole), 2) == 1) within = 1 - within;
-  return std::clamp(static_cast<int>(within * size), 0, size - 1);
-}
-
-// Where a triangle is met, as its textures see it.
-struct TextureAt {
-  glm::dvec2 uv[2] = {glm::dvec2(0), glm::dvec2(0)};  // of the two sets
-  double alpha = 0;                                   // of the vertices' colours
-
-  TextureAt(const Mesh& mesh, const uint32_t* corner, const glm::dvec3& weights) {
-    for (int k = 0; k < 3; ++k) {
-      const Vertex& v = mesh.vertices[corner[k]];
-      uv[0] += weights[k] * glm::dvec2(v.uv), uv[1] += weights[k] * glm::dvec2(v.uv1);
-      alpha += weights[k] * double(v.colour.a);
-    }
-  }
-
-  // 0..1 as stored; white where there is no texture.
-  glm::dvec4 nearest(const Scene& scene, const TextureUse& use) const {
-    if (use.texture == kNoTexture) return glm::dvec4(1);
-    const Texture& t = scene.textures[static_cast<size_t>(use.texture)];
-    const glm::dvec3 at = glm::dmat3(use.uv_transform) * glm::dvec3(uv[use.uv_set], 1);
-    if (t.empty() || !std::isfinite(at.x + at.y)) return glm::dvec4(1);
-    const auto x = static_cast<size_t>(wrapped(at.x, t.size.x, t.sampler.wrap_u));
-    const auto y = static_cast<size_t>(wrapped(at.y, t.size.y, t.sampler.wrap_v));
-    return t.texel(y * static_cast<size_t>(t.size.x) + x);
-  }
-};
 
 glm::dvec3 linear(const glm::dvec4& coded) {
   return {linear_from_srgb(coded.x), linear_from_srgb(coded.y), linear_from_srgb(coded.z)};
@@ -123,7 +91,7 @@ class Band {
           const size_t pixel =
               static_cast<size_t>(y - from_) * static_cast<size_t>(settings_.size.x) + static_cast<size_t>(x);
           if (meets(e, x, y, material.double_sided || back_faces_too_, mirrored, hit) && wanted(hit, hits_[pixel]) &&
-              !in_hole(mesh, corner, material, hit.weights))
+              !in_hole(scene_, mesh, corner, material, hit.weights))
             use(pixel, hit);
         }
     }
@@ -192,12 +160,6 @@ class Band {
     hit.weights = w / sum;
     hit.range = glm::dot(hit.weights, e.ranges);
     return hit.range > settings_.camera.near && hit.range < settings_.camera.far;
-  }
-
-  bool in_hole(const Mesh& mesh, const uint32_t* corner, const Material& m, const glm::dvec3& weights) const {
-    if (m.alpha_mode != AlphaMode::mask) return false;
-    const TextureAt at(mesh, corner, weights);
-    return at.nearest(scene_, m.base_colour_texture).a * at.alpha * double(m.base_colour.a) < double(m.alpha_cutoff);
   }
 
   const Settings& settings_;

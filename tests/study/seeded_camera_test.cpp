@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/scenes/builtin_scenes.h"
-#include "renderer/study/scene_rays.h"
+#include "renderer/truth/scene_rays.h"
 
 namespace gbl {
 namespace {

@@ -1,0 +1,170 @@
+#include "renderer/light/shadow_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace gbl {
+namespace {
+
+constexpr double kNearShare = 1e-3;  // a light's near plane, of its range
+constexpr double kWidestSpot = 1.4;  // radians off its axis, beyond which one map has no room: it is cut there
+constexpr double kFilterTexels = 2;  // of a map's border, so that a filter finds its neighbours
+
+// Rows: right, up, back of a view along this direction.
+glm::dmat3 view_along(const glm::dvec3& direction, const glm::dvec3& up) {
+  const glm::dvec3 back = -glm::normalize(direction), right = glm::normalize(glm::cross(up, back));
+  return glm::transpose(glm::dmat3(right, glm::cross(back, right), back));
+}
+// Any direction that is not along `direction`: looking along the up vector gives a matrix of NaN (`cube-lookat-up`).
+glm::dvec3 some_up(const glm::dvec3& direction) {
+  return std::abs(direction.y) < 0.9 * glm::length(direction) ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+}
+
+struct Planner {
+  const Camera& camera;
+  double aspect;
+  const Bounds& scene;
+  const ShadowWishes& wishes;
+
+  double farthest_from(const glm::dvec3& place) const {
+    double far = 0;
+    for (const glm::dvec3& c : corners_of(scene)) far = std::max(far, glm::distance(place, c));
+    return far;
+  }
+
+  ShadowMap perspective(int light, const Light& l, const glm::dmat3& view, double tan_half) const {
+    const double far = std::min(l.range, 1.01 * farthest_from(l.position)), near = kNearShare * far;
+    // So much wider that the outermost texels are the filter's.
+    const double wide = tan_half * wishes.map_texels / (wishes.map_texels - 2 * kFilterTexels);
+    const glm::dmat4 clip = glm::frustum(-wide * near, wide * near, -wide * near, wide * near, near, far);
+    const glm::dmat4 to_light = glm::translate(glm::dmat4(1), camera.position - l.position);
+    return {.light = light,
+            .clip_from_relative = clip * glm::dmat4(view) * to_light,
+            .texel = 2 * wide / wishes.map_texels};
+  }
+
+  void add_point(int light, const Light& l, std::vector<ShadowMap>& out) const {
+    for (int face = 0; face < kCubeFaces; ++face) out.push_back(perspective(light, l, view_of_cube_face(face), 1));
+  }
+
+  void add_spot(int light, const Light& l, std::vector<ShadowMap>& out) const {
+    const double half = std::min(std::acos(std::clamp(l.outer_cos, -1.0, 1.0)), kWidestSpot);
+    out.push_back(perspective(light, l, view_along(l.direction, some_up(l.direction)), std::tan(half)));
+  }
+
+  // Corners of the part of the view between two distances, relative to the camera.
+  std::vector<glm::dvec3> view_part(double from, double to) const {
+    const ViewRays rays = view_rays(camera, aspect);
+    std::vector<glm::dvec3> out;
+    for (const double range : {from, to})
+      for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) {
+          const glm::dvec3 across = x * rays.right + y * rays.up;
+          out.push_back(camera.orthographic() ? range * rays.forward + across : range * (rays.forward + across));
+        }
+    return out;
+  }
+
+  // Of the scene's corners along the view axis: beyond them is nothing to be shadowed.
+  double far_of_scene() const {
+    double far = camera.near;
+    for (const glm::dvec3& c : corners_of(scene)) far = std::max(far, glm::dot(c - camera.position, camera.forward()));
+    return std::min(1.001 * far, camera.far);
+  }
+
+  void add_sun(int light, const Light& l, std::vector<ShadowMap>& out) const {
+    const glm::dmat3 view = view_along(l.direction, some_up(l.direction));
+    double nearest = -INFINITY, farthest = INFINITY;  // along the light, of all that may hide or be hidden
+    for (const glm::dvec3& c : corners_of(scene)) {
+      const double z = (view * (c - camera.position)).z;
+      nearest = std::max(nearest, z), farthest = std::min(farthest, z);
+    }
+    const double margin = 1e-3 * std::max(nearest - farthest, 1e-9);
+    double from = camera.near;
+    for (const double to : cascade_ends(camera.near, std::max(far_of_scene(), 1.001 * camera.near), wishes.cascades)) {
+      glm::dvec2 low(INFINITY), high(-INFINITY);
+      for (const glm::dvec3& c : view_part(from, to)) {
+        const glm::dvec2 at(view * c);
+        low = glm::min(low, at), high = glm::max(high, at);
+      }
+      const glm::dvec2 middle = (low + high) / 2.0;
+      double half = std::max(high.x - low.x, high.y - low.y) / 2;
+      half *= double(wishes.map_texels) / (wishes.map_texels - 2 * kFilterTexels);
+      const glm::dmat4 clip = glm::ortho(middle.x - half, middle.x + half, middle.y - half, middle.y + half,
+                                         -nearest - margin, -farthest + margin);
+      out.push_back({.light = light,
+                     .clip_from_relative = clip * glm::dmat4(view),
+                     .texel = 2 * half / wishes.map_texels,
+                     .orthographic = true,
+                     .up_to = to});
+      from = to;
+    }
+    out.back().up_to = kEndless;
+  }
+
+  void add(int light, const Light& l, std::vector<ShadowMap>& out) const {
+    switch (l.kind) {
+      case LightKind::directional: return add_sun(light, l, out);
+      case LightKind::spot: return add_spot(light, l, out);
+      case LightKind::point: return add_point(light, l, out);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<double> cascade_ends(double near, double far, int count) {
+  std::vector<double> out;
+  for (int k = 1; k <= count; ++k) {
+    const double share = double(k) / count;
+    out.push_back((near * std::pow(far / near, share) + near + (far - near) * share) / 2);
+  }
+  return out;
+}
+
+glm::dmat3 view_of_cube_face(int face) {
+  glm::dvec3 direction(0);
+  direction[face / 2] = face % 2 == 0 ? 1 : -1;
+  return view_along(direction, face / 2 == 1 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
+}
+
+ShadowPlan plan_shadows(std::span<const Light> lights, const Camera& camera, double aspect, const Bounds& scene,
+                        const ShadowWishes& wishes) {
+  const Planner planner{camera, aspect, scene, wishes};
+  ShadowPlan plan{.first_map = std::vector<int>(lights.size(), -1), .map_texels = wishes.map_texels};
+  const int across = kMostShadowTexels / wishes.map_texels;
+  const auto wants = [&](const Light& l, bool sun) {
+    return (l.kind == LightKind::directional) == sun && (sun || !wishes.suns_only);
+  };
+  for (const bool sun : {true, false})
+    for (size_t i = 0; i < lights.size(); ++i) {
+      if (!wants(lights[i], sun)) continue;
+      std::vector<ShadowMap> maps;
+      planner.add(static_cast<int>(i), lights[i], maps);
+      const size_t room = static_cast<size_t>(across) * static_cast<size_t>(across) - plan.maps.size();
+      if (plan.with >= wishes.most_lights || maps.size() > room) {
+        ++plan.without;
+        continue;
+      }
+      ++plan.with;
+      plan.first_map[i] = static_cast<int>(plan.maps.size());
+      plan.maps.insert(plan.maps.end(), maps.begin(), maps.end());
+    }
+  const int count = static_cast<int>(plan.maps.size()), columns = std::min(count, across);
+  for (int k = 0; k < count; ++k)
+    plan.maps[static_cast<size_t>(k)].corner = glm::ivec2(k % columns, k / columns) * wishes.map_texels;
+  if (count > 0) plan.size = glm::ivec2(columns, (count + columns - 1) / columns) * wishes.map_texels;
+  return plan;
+}
+
+bool may_hide(const ShadowMap& map, const glm::dvec3& camera, const Bounds& box) {
+  int outside[6] = {};
+  for (const glm::dvec3& c : corners_of(box)) {
+    const glm::dvec4 clip = map.clip_from_relative * glm::dvec4(c - camera, 1);
+    for (int k = 0; k < 3; ++k) outside[2 * k] += clip[k]<-clip.w, outside[2 * k + 1] += clip[k]> clip.w;
+  }
+  return *std::max_element(outside, outside + 6) < 8;  // else all corners lie beyond one side
+}
+
+}  // namespace gbl

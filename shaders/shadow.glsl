@@ -1,0 +1,73 @@
+// How much of a light arrives at a surface point, by the light's shadow maps: 0 hidden … 1 seen.
+#include "lights.glsl"
+
+#if SHADOWS
+uniform sampler2D shadow_depth;    // all maps side by side
+uniform sampler2D shadow_records;  // what each is: shared.h
+
+vec4 shadow_record(int k) {
+  return texelFetch(shadow_records, ivec2(k % RECORD_TEXTURE_WIDTH, k / RECORD_TEXTURE_WIDTH), 0);
+}
+
+// 1 if the map's texel lets light through to this depth; beside the map its border counts.
+float shadow_test(ivec2 corner, ivec2 texel, float depth) {
+  texel = corner + clamp(texel, ivec2(0), ivec2(SHADOW_TEXELS - 1));
+  return depth <= texelFetch(shadow_depth, texel, 0).r ? 1.0 : 0.0;
+}
+
+float shadow_filtered(ivec2 corner, vec2 at, float depth) {
+#if SHADOW_FILTER == SHADOW_FILTER_NONE
+  return shadow_test(corner, ivec2(floor(at)), depth);
+#elif SHADOW_FILTER == SHADOW_FILTER_2X2
+  vec2 base = floor(at - 0.5);
+  vec2 share = at - 0.5 - base;
+  ivec2 texel = ivec2(base);
+  return mix(mix(shadow_test(corner, texel, depth), shadow_test(corner, texel + ivec2(1, 0), depth), share.x),
+             mix(shadow_test(corner, texel + ivec2(0, 1), depth), shadow_test(corner, texel + ivec2(1, 1), depth), share.x),
+             share.y);
+#else
+  float sum = 0.0;
+  for (int y = -1; y <= 1; ++y)
+    for (int x = -1; x <= 1; ++x) sum += shadow_test(corner, ivec2(floor(at)) + ivec2(x, y), depth);
+  return sum / 9.0;
+#endif
+}
+
+// The face of a cube that a direction leaves by: +X, -X, +Y, -Y, +Z, -Z.
+int cube_face(vec3 v) {
+  vec3 a = abs(v);
+  if (a.x >= a.y && a.x >= a.z) return v.x >= 0.0 ? 0 : 1;
+  if (a.y >= a.z) return v.y >= 0.0 ? 2 : 3;
+  return v.z >= 0.0 ? 4 : 5;
+}
+
+int shadow_map_of(Light light, vec3 position) {
+#if LIGHT_KINDS
+  if (light.kind == LIGHT_SPOT) return light.shadow_map;
+  if (light.kind == LIGHT_DIRECTIONAL) {
+    float range = dot(position, ray_forward.xyz);
+    for (int k = 0; k < SHADOW_CASCADES - 1; ++k)
+      if (range < shadow_record((light.shadow_map + k) * SHADOW_MAP_TEXELS + 4).w) return light.shadow_map + k;
+    return light.shadow_map + SHADOW_CASCADES - 1;
+  }
+#endif
+  return light.shadow_map + cube_face(position - light.position);
+}
+
+// The point is moved before it is compared, by so many texels of the map as they are large at its place.
+float visibility(Light light, vec3 position, vec3 normal, vec3 to_light) {
+  if (light.shadow_map < 0) return 1.0;
+  int first = shadow_map_of(light, position) * SHADOW_MAP_TEXELS;
+  mat4 clip_from_relative = mat4(shadow_record(first), shadow_record(first + 1), shadow_record(first + 2), shadow_record(first + 3));
+  vec4 rest = shadow_record(first + 4);
+  float texel = rest.z * (clip_from_relative * vec4(position, 1.0)).w;  // w of an orthographic map is 1
+  float cosine = max(dot(normal, to_light), 0.1);
+  float slope = sqrt(1.0 - min(cosine * cosine, 1.0)) / cosine;
+  vec3 moved = position + texel * ((shadow_bias.x + shadow_bias.y * slope) * to_light + shadow_bias.z * normal);
+  vec4 clip = clip_from_relative * vec4(moved, 1.0);
+  if (!(clip.w > 0.0)) return 1.0;
+  vec3 at = clip.xyz / clip.w * 0.5 + 0.5;
+  if (at != clamp(at, 0.0, 1.0)) return 1.0;  // the map does not know
+  return shadow_filtered(ivec2(rest.xy), at.xy * float(SHADOW_TEXELS), at.z);
+}
+#endif
