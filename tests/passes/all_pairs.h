@@ -38,6 +38,7 @@ inline Settings settings_of(const std::vector<Choice>& choices, glm::ivec2 size 
   Settings s = settings_for(yard(), size);
   s.lights.count = 16;
   s.lights.cull = LightCull::front;
+  s.shadow.max_lights = 1;  // a point light's six maps: more say no more
   for (const Choice& c : choices) c.option->set(s, c.value->id, *c.option);
   return s;
 }

@@ -24,6 +24,7 @@ constexpr PitfallGroup kGroups[] = {
     {"volumes", "Light volumes and ranges"},
     {"accumulation", "Sums and colour"},
     {"shading", "Shading"},
+    {"shadows", "Shadows"},
     {"passes", "Passes"},
 };
 

@@ -46,6 +46,22 @@ std::optional<double> doubled_share(const PitfallEvidence& e) {
   return lit > 0 && doubled ? std::optional(*doubled / lit) : std::nullopt;
 }
 
+// Of the pixels with a surface.
+std::optional<double> share_of_surfaces(const PitfallEvidence& e, std::optional<double> pixels) {
+  const std::optional<double>& all = e.measured.errors.compared_pixels;
+  return pixels && all && *all > 0 ? std::optional(*pixels / *all) : std::nullopt;
+}
+std::optional<double> shadow_lit_share(const PitfallEvidence& e) {
+  return share_of_surfaces(e, e.measured.errors.shadow_lit_pixels);
+}
+std::optional<double> shadow_dark_share(const PitfallEvidence& e) {
+  return share_of_surfaces(e, e.measured.errors.shadow_dark_pixels);
+}
+std::optional<double> shadow_wrong_share(const PitfallEvidence& e) {
+  const std::optional<double> lit = shadow_lit_share(e), dark = shadow_dark_share(e);
+  return lit && dark ? std::optional(*lit + *dark) : std::nullopt;
+}
+
 std::optional<double> background_off_share(const PitfallEvidence& e) {
   const Truth& truth = truth_in(e);
   const auto empty = static_cast<size_t>(std::count(truth.present.begin(), truth.present.end(), 0));
@@ -159,6 +175,12 @@ constexpr PitfallMetric kOwn[] = {
     {"shown_brighter", "", "share of pixels more than a code of 255 too bright as displayed", shown_brighter},
     {"shown_darker", "", "share of pixels more than a code of 255 too dark as displayed", shown_darker},
     {"doubled_share", "", "share of the lit pixels with more than one and a half times their light", doubled_share},
+    {"shadow_lit_share", "", "share of the surfaces' pixels that are lit although something hides the light",
+     shadow_lit_share},
+    {"shadow_dark_share", "", "share of the surfaces' pixels that are dark although nothing hides the light",
+     shadow_dark_share},
+    {"shadow_wrong_share", "",
+     "share of the surfaces' pixels that are lit and should be hidden, or the other way round", shadow_wrong_share},
     {"background_off_share", "",
      "share of the pixels without a surface that are brighter or darker than the background", background_off_share},
     {"shaded_per_lit", "", "pairs of pixel and light shaded over pairs lit", shaded_per_lit},
