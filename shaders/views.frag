@@ -4,6 +4,7 @@
 //   vec4 raw(ivec2 texel)     the stored codes, undecoded
 // What it may read is declared here and in gbuffer_read.glsl. VIEW_AS says what is drawn.
 #include "gbuffer_read.glsl"
+#include "shadow.glsl"
 
 uniform sampler2D lit;
 uniform sampler2D counts;         // pairs tested, shaded, in range
@@ -23,6 +24,7 @@ uniform vec2 black_and_white;     // in the view's unit
 uniform int count_from[6];        // the number from which each colour stands
 uniform vec3 count_palette[6];
 uniform vec3 class_colours[6];
+uniform int picked_light;          // its index; -1: there is none
 uniform vec2 cells_per_pixel;     // of tiles or clusters
 layout(location = 0) out vec4 picture;
 

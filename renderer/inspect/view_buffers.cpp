@@ -54,6 +54,10 @@ ViewSource in_ids(const Settings& s) {
 ViewSource in_redrawn(const Settings&) { return {{}, "drawn apart, RGBA32F 16 B"}; }
 ViewSource in_no_buffer(const Settings&) { return {{}, "drawn as it is"}; }
 
+ViewSource in_shadow_maps(const Settings& s) {
+  return {{}, fmt::format("shadow.depth {}", row(s.shadow.format).label)};
+}
+
 ViewSource in_reference(const Settings&) { return {{}, "worked out on the CPU, double"}; }
 
 ViewSource in_comparison(const Settings& s) {
@@ -124,7 +128,16 @@ std::string why_not_over(View v, const Settings& s) {
   if (needs_truth(v))
     return fmt::format("{} is not laid over others: it needs the reference; compare A with the truth instead",
                        row(v).label);
+  if (v == View::shadow_maps) return "shadow maps are not of the picture's pixels";
   return why_missing(v, s);
+}
+
+std::string shadows_missing(const Settings& s) {
+  return s.shadows == Shadows::off ? "no light has a shadow: the option shadows is off" : "";
+}
+std::string visibility_missing(const Settings& s) {
+  const std::string none = shadows_missing(s);
+  return none.empty() ? surface_missing(s) : none;
 }
 
 std::string error_missing(const Settings& s) {

@@ -19,6 +19,7 @@ ViewSource in_counter(const Settings&);
 ViewSource in_ids(const Settings&);
 ViewSource in_redrawn(const Settings&);
 ViewSource in_no_buffer(const Settings&);
+ViewSource in_shadow_maps(const Settings&);
 ViewSource in_reference(const Settings&);
 ViewSource in_comparison(const Settings&);
 
@@ -36,6 +37,8 @@ std::string pixel_pairs_missing(const Settings&);
 std::string cells_missing(const Settings&);
 std::string split_light_missing(const Settings&);
 std::string error_missing(const Settings&);
+std::string shadows_missing(const Settings&);
+std::string visibility_missing(const Settings&);  // of the picked light
 
 // Why it cannot be laid over another view under these settings; empty: it can.
 std::string why_not_over(View, const Settings&);

@@ -7,7 +7,6 @@
 namespace gbl {
 namespace {
 
-constexpr double kNearShare = 1e-3;  // a light's near plane, of its range
 constexpr double kWidestSpot = 1.4;  // radians off its axis, beyond which one map has no room: it is cut there
 constexpr double kFilterTexels = 2;  // of a map's border, so that a filter finds its neighbours
 
@@ -34,7 +33,7 @@ struct Planner {
   }
 
   ShadowMap perspective(int light, const Light& l, const glm::dmat3& view, double tan_half) const {
-    const double far = std::min(l.range, 1.01 * farthest_from(l.position)), near = kNearShare * far;
+    const double far = std::min(l.range, 1.01 * farthest_from(l.position)), near = kShadowNearShare * far;
     // So much wider that the outermost texels are the filter's.
     const double wide = tan_half * wishes.map_texels / (wishes.map_texels - 2 * kFilterTexels);
     const glm::dmat4 clip = glm::frustum(-wide * near, wide * near, -wide * near, wide * near, near, far);

@@ -12,6 +12,7 @@ namespace gbl {
 
 inline constexpr int kMostShadowTexels = 8192;  // to a side of the texture that holds all maps
 inline constexpr int kCubeFaces = 6;
+inline constexpr double kShadowNearShare = 1e-3;  // the near plane of a point or spot light's map, of its far plane
 
 struct ShadowMap {
   int light = 0;                     // index into the frame's lights

@@ -111,6 +111,7 @@ void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
     append_axis(out, "SHADOW_FILTER", "SHADOW_FILTER_", s.shadow.filter);
     out.push_back({"SHADOW_TEXELS", f.shadows.map_texels});
     out.push_back({"SHADOW_CASCADES", s.shadow.cascades});
+    out.push_back({"SHADOW_NEAR_SHARE", std::to_string(kShadowNearShare)});
   }
   out.push_back({"SPOT_COS_POWER", s.lights.spot == LightSpot::cos_power});
 }

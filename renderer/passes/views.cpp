@@ -52,6 +52,7 @@ void bind_view(Frame& frame, View view) {
   if (row(view).redrawn) draw_redrawn(frame);
   bind_gbuffer(frame);
   bind_light_sums(frame);
+  bind_lights(frame);
   gl::bind_texture("lit",
                    row(view).with_transparent ? canvases.shown(frame.targets().frame) : frame.texture(Stores::lit));
   if (counted(view)) gl::bind_texture("counts", canvases.counts().texture);
@@ -96,6 +97,10 @@ void set_colours(const Frame& frame, const gl::Program& program, View view, cons
   glUniform3fv(program.find_uniform("count_palette"), kLightCountColours, glm::value_ptr(kLightCountPalette[0]));
 }
 
+void set_picked_light(const Frame& frame, const gl::Program& program) {
+  glUniform1i(program.find_uniform("picked_light"), std::min(frame.view.pick, frame.light_count() - 1));
+}
+
 // The program of a look; its uniforms are set.
 const gl::Program& use_look(const Frame& frame, View view, const ViewLook& look) {
   const bool single = single_number(view, look);
@@ -105,6 +110,7 @@ const gl::Program& use_look(const Frame& frame, View view, const ViewLook& look)
   defines.push_back({"LOOK_CODED", look.coded.value_or(row(view).values.coded)});
   const gl::Program& program = frame.programs.get("fullscreen.vert", "views.frag", defines);
   glUseProgram(program.id());
+  set_picked_light(frame, program);
   const auto shown = [&](char channel) { return look.channels.find(channel) == std::string::npos ? 0.0f : 1.0f; };
   glUniform3f(program.find_uniform("look_channels"), shown('r'), shown('g'), shown('b'));
   if (!single) return program;
@@ -116,6 +122,7 @@ const gl::Program& use_look(const Frame& frame, View view, const ViewLook& look)
 const gl::Program& use_view(const Frame& frame, View view, int as) {
   const gl::Program& program = frame.programs.get("fullscreen.vert", "views.frag", view_defines(frame, view, as));
   glUseProgram(program.id());
+  set_picked_light(frame, program);
   return program;
 }
 
@@ -162,7 +169,7 @@ void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scen
     shapes_.draw_fullscreen();
   }
   Frame frame = frame_of(s, scene, targets);
-  draw_volume_wires(frame, into);
+  if (under != View::shadow_maps) draw_volume_wires(frame, into);  // they are of the picture's pixels
   draw_outline(frame, into);
 }
 
