@@ -75,7 +75,7 @@ ExitCode run_stability(const Arguments& a) {
   const gl::Device device = gl::probe_device(without_of(a));
   Renderer renderer;
   StabilityBench bench(renderer, device);
-  Journal journal(folder / "points.jsonl", sweeps_made_by(bench.machine()));
+  Journal journal(folder / "points.jsonl", sweeps_made_by(bench.machine(), bench.limits().features));
   const InterruptScope scope;
   std::vector<SweepResult> results;
   for (const Sweep* s : chosen) {

@@ -64,10 +64,15 @@ float visibility(Light light, vec3 position, vec3 normal, vec3 to_light) {
   float cosine = max(dot(normal, to_light), 0.1);
   float slope = sqrt(1.0 - min(cosine * cosine, 1.0)) / cosine;
   vec3 moved = position + texel * ((shadow_bias.x + shadow_bias.y * slope) * to_light + shadow_bias.z * normal);
+  int map = shadow_map_of(light, moved) * SHADOW_MAP_TEXELS;  // moved across an edge of a cube it is on another face
+  if (map != first) {
+    clip_from_relative = mat4(shadow_record(map), shadow_record(map + 1), shadow_record(map + 2), shadow_record(map + 3));
+    rest = shadow_record(map + 4);
+  }
   vec4 clip = clip_from_relative * vec4(moved, 1.0);
   if (!(clip.w > 0.0)) return 1.0;
   vec3 at = clip.xyz / clip.w * 0.5 + 0.5;
-  if (at != clamp(at, 0.0, 1.0)) return 1.0;  // the map does not know
+  if (at.z > 1.0) return 1.0;  // beyond all that the map holds
   return shadow_filtered(ivec2(rest.xy), at.xy * float(SHADOW_TEXELS), at.z);
 }
 #endif

@@ -76,8 +76,8 @@ GBL_BLOCK(FrameBlock) {
   vec4 shading;              // exponent (-1: from roughness), specular factor, ambient, exposure
   vec4 position_cycle;       // x: world units in which the position view's colours repeat
   vec4 light_scale;          // what light sums are stored times, 1 over it: powers of two (resolved_frame.h)
-  ivec4 lights;              // count, -, -, -
   vec4 shadow_bias;          // in texels: towards the light, times the slope, along the normal; w unused
+  ivec4 lights;              // count, -, -, -
 };
 
 #undef GBL_BLOCK

@@ -24,6 +24,7 @@ inline Pair wall(glm::ivec2 size) {
   const size_t n = t.pixels();
   t.present.assign(n, 1), t.lit.assign(n, glm::dvec3(0.5)), t.diffuse.assign(n, glm::dvec3(0.5));
   t.specular.assign(n, glm::dvec3(0)), t.albedo.assign(n, glm::dvec3(0.5)), t.roughness.assign(n, 0.5);
+  t.unshadowed.assign(n, glm::dvec3(0.25));
   t.normal.assign(n, glm::dvec3(0, 0, 1)), t.position.assign(n, glm::dvec3(0, 0, -4));
   p.drawn.lit.assign(n, glm::vec3(0.5f)), p.drawn.unlit.assign(n, glm::vec3(0.25f));
   p.drawn.shown = p.drawn.lit;

@@ -46,15 +46,17 @@ void take_camera(ResolvedFrame& f) {
   f.clip_from_relative = clip_from_relative(s.camera, f.aspect, f.depth_runs);
 }
 
-void take_shadows(ResolvedFrame& f, const Scene& scene) {
+// lights: all there are. One that is drawn alone has the shadow that it has among the others.
+void take_shadows(ResolvedFrame& f, const Scene& scene, const std::vector<Light>& lights) {
   const Settings& s = f.settings;
   if (s.shadows == Shadows::off) return;
   const auto texels = [](ShadowMapSize size) { return 256 << static_cast<int>(size); };
-  f.shadows = plan_shadows(f.lights, s.camera, f.aspect, scene.bounds,
+  f.shadows = plan_shadows(lights, s.camera, f.aspect, scene.bounds,
                            {.map_texels = texels(s.shadow.map_size),
                             .cascades = s.shadow.cascades,
                             .most_lights = s.shadow.max_lights,
                             .suns_only = s.shadows == Shadows::sun});
+  if (const int only = s.lights.only; only >= 0) keep_only(f.shadows, static_cast<size_t>(only));
   if (f.shadows.without > 0)
     f.choices.push_back(
         fmt::format("{} of {} lights have no shadow map: shadow.max-lights is {}, and all maps fit into "
@@ -95,6 +97,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   ResolvedFrame f{.settings = without_view(std::move(resolved.settings)), .choices = std::move(resolved.notes)};
   f.lights = all_lights_of(s, scene);
   f.light_total = static_cast<int>(f.lights.size());
+  const std::vector<Light> all = f.lights;
   take_only(f);
   f.light_kinds = !std::all_of(f.lights.begin(), f.lights.end(), plain_point);
   MethodChoice choice = choose_method(f.settings, f.lights, features);
@@ -103,7 +106,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   f.light_work = estimate_work(f.settings, f.lights);
   take_attachments(f);
   take_camera(f);
-  take_shadows(f, scene);
+  take_shadows(f, scene, all);
   f.light_sum_scale = light_sum_scale(f.settings.exposure);
   f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;
   return f;

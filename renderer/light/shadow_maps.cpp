@@ -48,7 +48,9 @@ struct Planner {
   }
 
   void add_spot(int light, const Light& l, std::vector<ShadowMap>& out) const {
-    const double half = std::min(std::acos(std::clamp(l.outer_cos, -1.0, 1.0)), kWidestSpot);
+    // Without an edge (lights.spot=cos-power) inner_cos is the cosine's exponent: up to where a thousandth is left.
+    const double edge = l.outer_cos > -1 ? l.outer_cos : std::pow(1e-3, 1 / std::max(l.inner_cos, 1e-3));
+    const double half = std::min(std::acos(std::clamp(edge, -1.0, 1.0)), kWidestSpot);
     out.push_back(perspective(light, l, view_along(l.direction, some_up(l.direction)), std::tan(half)));
   }
 
@@ -128,13 +130,29 @@ glm::dmat3 view_of_cube_face(int face) {
   return view_along(direction, face / 2 == 1 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0));
 }
 
+static void place_tiles(ShadowPlan& plan) {
+  const int across = kMostShadowTexels / plan.map_texels, count = static_cast<int>(plan.maps.size());
+  const int columns = std::min(count, across);
+  for (int k = 0; k < count; ++k)
+    plan.maps[static_cast<size_t>(k)].corner = glm::ivec2(k % columns, k / columns) * plan.map_texels;
+  plan.size = count == 0 ? glm::ivec2(0) : glm::ivec2(columns, (count + columns - 1) / columns) * plan.map_texels;
+}
+
+void keep_only(ShadowPlan& plan, size_t light) {
+  const bool has_maps = light < plan.first_map.size() && plan.first_map[light] >= 0;
+  std::erase_if(plan.maps, [&](const ShadowMap& m) { return m.light != static_cast<int>(light); });
+  for (ShadowMap& m : plan.maps) m.light = 0;
+  plan.first_map = {has_maps ? 0 : -1};
+  place_tiles(plan);
+}
+
 ShadowPlan plan_shadows(std::span<const Light> lights, const Camera& camera, double aspect, const Bounds& scene,
                         const ShadowWishes& wishes) {
   const Planner planner{camera, aspect, scene, wishes};
   ShadowPlan plan{.first_map = std::vector<int>(lights.size(), -1), .map_texels = wishes.map_texels};
   const int across = kMostShadowTexels / wishes.map_texels;
   const auto wants = [&](const Light& l, bool sun) {
-    return (l.kind == LightKind::directional) == sun && (sun || !wishes.suns_only);
+    return (l.kind == LightKind::directional) == sun && (sun || (!wishes.suns_only && l.range > 0));
   };
   for (const bool sun : {true, false})
     for (size_t i = 0; i < lights.size(); ++i) {
@@ -150,10 +168,7 @@ ShadowPlan plan_shadows(std::span<const Light> lights, const Camera& camera, dou
       plan.first_map[i] = static_cast<int>(plan.maps.size());
       plan.maps.insert(plan.maps.end(), maps.begin(), maps.end());
     }
-  const int count = static_cast<int>(plan.maps.size()), columns = std::min(count, across);
-  for (int k = 0; k < count; ++k)
-    plan.maps[static_cast<size_t>(k)].corner = glm::ivec2(k % columns, k / columns) * wishes.map_texels;
-  if (count > 0) plan.size = glm::ivec2(columns, (count + columns - 1) / columns) * wishes.map_texels;
+  place_tiles(plan);
   return plan;
 }
 

@@ -39,6 +39,9 @@ struct ShadowWishes {
 // Suns come first, then the others in their order.
 ShadowPlan plan_shadows(std::span<const Light>, const Camera&, double aspect, const Bounds& scene, const ShadowWishes&);
 
+// The maps of one light alone, which then is the only light of the frame.
+void keep_only(ShadowPlan&, size_t light);
+
 // False where nothing in this box of the world can be drawn into the map. camera: its place in the world.
 bool may_hide(const ShadowMap&, const glm::dvec3& camera, const Bounds&);
 

@@ -63,6 +63,7 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
 FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targets& targets) {
   const std::shared_ptr<const ResolvedFrame> resolved = resolve(asked, scene);
   if (targets.frame.prepare(*resolved)) targets.canvases.forget(targets.frame.size());
+  if (resolved->shadows.maps.empty()) targets.shadows = {};  // tens of megabytes that nobody reads
   targets.canvases.next_frame();
   targets.reads.drop();
   targets.timers.next_frame();

@@ -26,7 +26,6 @@ glm::dmat4 standing_at(glm::dvec3 place, double yaw_deg = 0, double scale = 1);
 
 Camera camera_at(glm::dvec3 position, double yaw_deg, double pitch_deg, double fov, double near, double far);
 
-
 // A rectangle from its lower left corner, seen from the side that cross(right, up) points to; u runs along right, v
 // down; cut into columns x rows.
 Mesh make_sheet(glm::dvec3 corner, glm::dvec3 right, glm::dvec3 up, double uv_per_unit, glm::ivec2 cells = {1, 1});

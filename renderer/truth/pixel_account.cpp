@@ -55,9 +55,12 @@ class Account {
     const ShadingModelOf model(s_);
     const TruthSurface& surface = at_.surface;
     const std::vector<Light> lights = true_lights(s_, scene_);
+    const LightSight sight(s_, scene_);
     for (size_t i = 0; i < lights.size(); ++i) {
       const TruthLight light{lights[i], lights[i].position - s_.camera.position};
-      const Reflected one = reflected(model, surface, light);
+      Reflected one = reflected(model, surface, light);
+      const bool hidden = !one.nothing() && !sight.sees(light, surface.position, out_.seen);
+      if (hidden) one = {};
       diffuse_ += one.diffuse, specular_ += one.specular;
       if (!reaches(light, surface.position)) continue;
       const bool sun = light.light.kind == LightKind::directional;
@@ -66,7 +69,8 @@ class Account {
       share.index = s_.lights.only >= 0 ? s_.lights.only : static_cast<int>(i);
       share.distance = sun ? kEndless : glm::length(to_light);
       share.range = light.light.range;
-      share.arriving = arriving_share(model, light, surface.position);
+      share.hidden = hidden;
+      share.arriving = hidden ? 0 : arriving_share(model, light, surface.position);
       share.n_dot_l = glm::dot(surface.normal, to_light) / std::max(glm::length(to_light), 1e-30);
       share.diffuse = surface.albedo * one.diffuse;
       share.specular = one.specular;

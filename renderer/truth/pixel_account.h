@@ -16,6 +16,7 @@ struct LightShare {
   double distance = 0, range = 0;  // world units; range: kEndless for a light without end
   double arriving = 0;             // share of its light, 0..1
   double n_dot_l = 0;              // -1..1; 0 and below: the surface is turned away
+  bool hidden = false;             // something stands in its way, and it has a shadow: nothing of it arrives
   glm::dvec3 diffuse{0};           // radiance that leaves the surface, albedo included
   glm::dvec3 specular{0};
   double share = 0;           // of the light of all, by luminance

@@ -37,16 +37,16 @@ Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std:
       scene_(std::move(scene)),
       texels_(std::move(texels)),
       geometry_(s, *scene_, std::move(store)),
-      model_(s) {
+      model_(s),
+      sight_(s, *scene_) {
   for (const Light& l : true_lights(s, *scene_)) lights_.push_back({l, l.position - s.camera.position});
-  if (s.shadows != Shadows::off) rays_.emplace(*scene_);
   truth_.size = s.size;
   const size_t n = truth_.pixels();
   truth_.present.resize(n);
   truth_.roughness.resize(n);
   for (auto* list : {&truth_.lit, &truth_.diffuse, &truth_.specular, &truth_.albedo, &truth_.normal, &truth_.position})
     list->resize(n);
-  if (rays_) truth_.unshadowed.resize(n);
+  if (sight_.shadows()) truth_.unshadowed.resize(n);
   lit_pairs_of_row_.resize(static_cast<size_t>(s.size.y));
 }
 
@@ -54,17 +54,6 @@ void Reference::find_rivals(const std::atomic<bool>* cancel) {
   std::vector<SeenSurface> seen;
   for (const SeenTexel& t : texels_) seen.push_back(t.surface());
   truth_.rivals = rivals_of(settings_, *scene_, seen, cancel);
-}
-
-// Is nothing solid between the surface and the light? A shading normal that faces the light does not help where the
-// triangle itself is turned away: then the object hides it.
-bool Reference::sees(const TruthLight& l, const glm::dvec3& position, const SeenSurface& surface) const {
-  const bool sun = l.light.kind == LightKind::directional;
-  if (!rays_ || (settings_.shadows == Shadows::sun && !sun)) return true;
-  const glm::dvec3 place = position + settings_.camera.position;
-  const glm::dvec3 to_light = sun ? -l.light.direction : l.position - position;
-  const double least = rays_->least_distance(place) / glm::length(to_light);
-  return !rays_->blocked({place, to_light, least, sun ? kEndless : 1 - least}, surface);
 }
 
 void Reference::work_pixel(glm::ivec2 pixel) {
@@ -82,13 +71,13 @@ void Reference::work_pixel(glm::ivec2 pixel) {
   for (const TruthLight& light : lights_) {
     if (reaches(light, s.position)) ++lit_pairs;
     const Reflected one = reflected(model_, s, light);
-    if (rays_) unshadowed += s.albedo * one.diffuse + one.specular;
-    if (one.nothing() || !sees(light, s.position, texels_[i].surface())) continue;
+    if (sight_.shadows()) unshadowed += s.albedo * one.diffuse + one.specular;
+    if (one.nothing() || !sight_.sees(light, s.position, texels_[i].surface())) continue;
     sum.diffuse += one.diffuse;
     sum.specular += one.specular;
   }
   truth_.present[i] = 1;
-  if (rays_) truth_.unshadowed[i] = unshadowed;
+  if (sight_.shadows()) truth_.unshadowed[i] = unshadowed;
   truth_.diffuse[i] = sum.diffuse;
   truth_.specular[i] = sum.specular;
   truth_.albedo[i] = s.albedo;

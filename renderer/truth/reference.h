@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "renderer/frame/frame_lights.h"
-#include "renderer/truth/ray_scene.h"
+#include "renderer/truth/light_sight.h"
 #include "renderer/truth/truth.h"
 #include "renderer/truth/truth_geometry.h"
 #include "renderer/truth/visible_triangles.h"
@@ -45,15 +45,14 @@ class Reference {
  private:
   void work_row(int y);
   void work_pixel(glm::ivec2 pixel);
-  bool sees(const TruthLight&, const glm::dvec3& position, const SeenSurface&) const;
 
   Settings settings_;
   std::shared_ptr<const Scene> scene_;
   std::vector<SeenTexel> texels_;
   TruthGeometry geometry_;
   ShadingModelOf model_;
+  LightSight sight_;
   std::vector<TruthLight> lights_;
-  std::optional<RayScene> rays_;  // where a light may be hidden
   Truth truth_;
   std::vector<uint64_t> lit_pairs_of_row_;
   std::atomic<int> next_row_{0}, rows_done_{0};

@@ -1,6 +1,5 @@
 // By the same function as the lighting; where the surface is turned away or the light does not reach, nothing is to be hidden.
 vec3 value(ivec2 texel) {
-#if SHADOWS
   if (picked_light < 0) return vec3(0.0);
   Surface s = read_surface(texel);
   Light light = read_light(picked_light);
@@ -10,9 +9,10 @@ vec3 value(ivec2 texel) {
 #endif
   to_light = normalize(to_light);
   if (!reaches(light, s.position) || dot(s.normal, to_light) <= 0.0) return vec3(0.0);
+#if SHADOWS
   return vec3(visibility(light, s.position, s.normal, to_light));
 #else
-  return vec3(0.0);
+  return vec3(1.0);  // no light has a map: it passes through everything
 #endif
 }
 

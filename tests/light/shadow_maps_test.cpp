@@ -150,6 +150,36 @@ TEST(ShadowMaps, SunsComeFirstAndWhatHasNoRoomIsCounted) {
   EXPECT_TRUE(plan_of({}).maps.empty());
 }
 
+TEST(ShadowMaps, OneLightAloneHasWhatItHasAmongTheOthers) {
+  const std::vector<Light> lights = {light_of(LightKind::point), light_of(LightKind::spot),
+                                     light_of(LightKind::directional)};
+  for (size_t i = 0; i < lights.size(); ++i) {
+    ShadowPlan plan = plan_of(lights, {.cascades = 2, .most_lights = 2});
+    const int maps = plan.first_map[i] < 0 ? 0 : i == 2 ? 2 : i == 0 ? 6 : 1;
+    keep_only(plan, i);
+    EXPECT_EQ(plan.first_map, (std::vector<int>{maps > 0 ? 0 : -1})) << i;
+    EXPECT_EQ(plan.maps.size(), static_cast<size_t>(maps)) << i;
+    EXPECT_EQ(plan.size.x > 0, maps > 0) << i;
+  }
+}
+
+TEST(ShadowMaps, ALightThatReachesNothingTakesNoMap) {
+  Light dim = light_of(LightKind::point);
+  dim.range = 0;
+  const ShadowPlan plan = plan_of({dim, light_of(LightKind::point)}, {.most_lights = 1});
+  EXPECT_EQ(plan.first_map, (std::vector<int>{-1, 0}));
+  EXPECT_EQ(plan.without, 0);
+}
+
+// Without an edge a thousandth of the light is left at the border of the map, which is then not wider than it need be.
+TEST(ShadowMaps, ASpotWithoutAnEdgeHasANarrowMap) {
+  Light l = light_of(LightKind::spot);
+  l.outer_cos = -1, l.inner_cos = 48;
+  const ShadowMap m = plan_of({l}).maps.at(0);
+  EXPECT_LT(m.texel * 1024 / 2, std::tan(0.6));
+  EXPECT_GT(m.texel * 1024 / 2, std::tan(0.4));
+}
+
 TEST(ShadowMaps, TilesLieApartInTheirTexture) {
   const ShadowPlan plan =
       plan_of(std::vector<Light>(20, light_of(LightKind::point)), {.map_texels = 512, .most_lights = 20});

@@ -88,15 +88,20 @@ TEST_F(FrameSweep, AThousandSwitchesLeaveNothingBehind) {
   };
   Settings last = pool.front();
   last.size = {5, 5};
-  for (const Settings& s : pool) stage.draw(s);                 // all variants
-  for (int k = 0; k < 8; ++k) look_at_everything(pool[k / 4]);  // and the queries of all frames under way
+  // All variants, and the queries of all frames under way: what `auto` chooses goes with the size, what a light sees with
+  // the time.
+  const auto elsewhere = [&](Settings s) {
+    s.size = random_size(random), s.time_s = random.in(0, 36);
+    return s;
+  };
+  for (const Settings& s : pool)
+    for (int k = 0; k < 40; ++k) stage.draw(elsewhere(s));
+  for (int k = 0; k < 32; ++k) look_at_everything(elsewhere(pool[k / 16]));
   look_at_everything(last);
   const int names = names_beside_attachments(stage);
   for (int k = 0; k < 1000; ++k) {
     const bool look = k % 50 == 0;
-    Settings s = pool[random.next() % (look ? 2 : pool.size())];
-    s.size = random_size(random);
-    s.time_s = random.in(0, 36);
+    const Settings s = elsewhere(pool[random.next() % (look ? 2 : pool.size())]);
     if (look)
       look_at_everything(s);
     else

@@ -50,6 +50,26 @@ TEST(LostAndDoubled, CountSpecularLightAndNoPixelThatIsNotFinite) {
   EXPECT_EQ(measured(p).nonfinite_pixels, 3);
 }
 
+// The wall's light is 0.25; without shadows 1 would arrive.
+TEST(WrongShadows, AreCountedLitAndDarkApartByWhatWouldArrive) {
+  const auto with = [](const glm::vec3& light, double unshadowed) {
+    Pair p = wall({4, 4});
+    p.truth.unshadowed.assign(p.truth.pixels(), glm::dvec3(unshadowed));
+    p.drawn.lit[0] = p.drawn.unlit[0] + light;
+    return measured(p);
+  };
+  EXPECT_EQ(with(glm::vec3(0.49f), 1).shadow_lit_pixels, 0);
+  EXPECT_EQ(with(glm::vec3(0.51f), 1).shadow_lit_pixels, 1);
+  EXPECT_EQ(with(glm::vec3(0.51f), 1).shadow_dark_pixels, 0);
+  EXPECT_EQ(with(glm::vec3(0.02f), 0.8).shadow_dark_pixels, 1);
+  EXPECT_EQ(with(glm::vec3(0.06f), 0.8).shadow_dark_pixels, 0);
+  EXPECT_EQ(with(glm::vec3(0.02f), 0.8).shadow_lit_pixels, 0);
+  EXPECT_EQ(with(glm::vec3(kNaN), 1).shadow_lit_pixels, 0);
+  Pair p = wall({4, 4});
+  p.truth.unshadowed.clear();
+  EXPECT_FALSE(measured(p).shadow_lit_pixels) << "no light has a shadow: nothing is judged";
+}
+
 TEST(BackgroundLit, CountsWhatIsBrighterThanTheBackground) {
   Pair p = wall({4, 4});
   p.truth.present[0] = p.truth.present[1] = p.truth.present[2] = 0;

@@ -116,7 +116,9 @@ void SweepRunner::skip() {
 
 namespace {
 
-std::string key_of(const SweepRunner& r) { return point_key(*r.result().sweep, r.curve(), r.value()); }
+std::string key_of(const SweepRunner& r) {
+  return point_key(*r.result().sweep, r.curve(), r.value(), r.setup().settings);
+}
 
 std::optional<SweepRow> known_point(const SweepRunner& runner, const Journal* journal) {
   const StudyRow* row = journal ? journal->found(key_of(runner)) : nullptr;

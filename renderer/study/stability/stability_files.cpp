@@ -125,7 +125,7 @@ std::string stability_markdown(const std::vector<SweepResult>& results, const Ma
     for (const CurveResult& c : r.curves) {
       page += fmt::format("| {} | {} |\n", c.curve, statements_of(c));
       const auto zero = [](const SweepRow& row) { return row.value && *row.value == 0; };
-      if (!c.rows.empty() && std::all_of(c.rows.begin(), c.rows.end(), zero))
+      if (r.left == 0 && !c.rows.empty() && std::all_of(c.rows.begin(), c.rows.end(), zero))
         flat += fmt::format("{}{}", flat.empty() ? "" : ", ", c.curve);
     }
     if (!flat.empty()) never += fmt::format("- {}: {}\n", s.label, flat);
@@ -140,9 +140,12 @@ void write_stability_files(const std::filesystem::path& folder, const std::vecto
   write_text_file(folder / "stability.json", stability_json(results, machine, rounding).dump(1) + "\n");
   write_text_file(folder / "stability.md", stability_markdown(results, machine, rounding));
   const std::string device = device_words(machine, rounding);
-  for (const SweepResult& r : results)
+  for (const SweepResult& r : results) {
+    const auto has_points = [](const CurveResult& c) { return !c.rows.empty(); };
+    if (std::none_of(r.curves.begin(), r.curves.end(), has_points)) continue;  // other machines measure it
     for (const auto& [file, ending] : {std::pair(StabilityFile::svg, ".svg"), std::pair(StabilityFile::png, ".png")})
       write_text_file(folder / (std::string(r.sweep->id) + ending), run_gnuplot(stability_script(r, device, file)));
+  }
 }
 
 }  // namespace gbl

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/made_by.h"
+#include "renderer/study/row_json.h"
 
 namespace gbl {
 namespace {
@@ -13,11 +14,16 @@ Cell cell(const char* column, const std::optional<double>& value) {
 
 }  // namespace
 
-std::string point_key(const Sweep& s, const Curve& curve, double value) {
-  return fmt::format("{}/{}/{}", s.id, curve.id, value);
+std::string point_key(const Sweep& s, const Curve& curve, double value, const Settings& settings) {
+  return fmt::format("{}/{}/{}/{}", s.id, curve.id, value, row_key(settings));
 }
 
-std::string sweeps_made_by(const Machine& machine) { return made_by() + " on " + machine.driver; }
+std::string sweeps_made_by(const Machine& machine, FeatureSet features) {
+  std::string text = fmt::format("{} on {}, {}", made_by(), machine.driver, machine.device);
+  for (const FeatureRow& f : kFeatures)
+    if (!features.has(f.feature)) text += fmt::format(" without {}", f.id);
+  return text;
+}
 
 StudyRow journal_row(const std::string& key, const SweepRow& point, const Settings& settings,
                      const std::string& made_by) {

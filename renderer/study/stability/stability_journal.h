@@ -7,13 +7,14 @@
 
 namespace gbl {
 
-// Names a point among all sweeps: "near-plane/depth d24/0.001".
-std::string point_key(const Sweep&, const Curve&, double value);
+// Names a point among all sweeps: "near-plane/depth d24/0.001/" and a hash of its settings.
+std::string point_key(const Sweep&, const Curve&, double value, const Settings&);
 
 StudyRow journal_row(const std::string& key, const SweepRow&, const Settings&, const std::string& made_by);
 SweepRow point_of(const StudyRow&);  // what journal_row() was made of
 
-// What a point of a journal must be made by to count. The driver is part of it: statements are about one device.
-std::string sweeps_made_by(const Machine&);
+// What a point of a journal must be made by to count. The device and what is switched off are part of it: statements are
+// about one device.
+std::string sweeps_made_by(const Machine&, FeatureSet);
 
 }  // namespace gbl

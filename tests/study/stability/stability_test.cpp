@@ -318,6 +318,18 @@ TEST(StabilityJournal, WhatWasStoppedGoesOnAndEndsAsIfItHadNot) {
   expect_same_points(whole, run_sweep(sweep("near-plane"), {.limits = everything()}, fresh.fn(), nullptr, never));
 }
 
+// A sweep of which nothing is measured has no chart, and proves nothing.
+TEST(StabilityJournal, FilesOfASweepWithoutPointsAreWritten) {
+  const TemporaryFolder folder("points-none");
+  const std::atomic<bool> cancel{true};
+  const std::vector<SweepResult> results = {
+      run_sweep(sweep("volume-level"), {.limits = everything()}, nothing_lost, nullptr, cancel),
+      run_sweep(sweep("cull-families"), {.limits = everything()}, nothing_lost, nullptr, cancel)};
+  EXPECT_NO_THROW(write_stability_files(folder / "out", results, {"driver", "device"}, kNearest));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "stability.md"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "volume-level.svg"));
+}
+
 TEST(StabilityJournal, ShardsTogetherAreTheWhole) {
   const TemporaryFolder folder("points-shards");
   const std::atomic<bool> never{false};
