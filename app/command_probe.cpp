@@ -44,6 +44,7 @@ Json json_of(const std::vector<LightShare>& lights) {
                    {"distance", l.distance < kEndless ? Json(l.distance) : Json()},
                    {"range", l.range < kEndless ? Json(l.range) : Json()},
                    {"arriving", l.arriving},
+                   {"hidden", l.hidden},
                    {"n_dot_l", l.n_dot_l},
                    {"diffuse", json_of(l.diffuse)},
                    {"specular", json_of(l.specular)},
@@ -153,10 +154,11 @@ void print_account(const PixelAccount& a) {
   for (const LightShare& l : a.lights) {
     const bool endless = l.range >= kEndless;
     const auto three = [](const glm::dvec3& v) { return fmt::format("{:>11.4g} {:>11.4g} {:>11.4g}", v.x, v.y, v.z); };
-    fmt::print("  {:>6}{:>12}{:>8}{:>12.4g}{:>8.3f} {} {}{:>7.2f}%  {}{}\n", l.index,
+    fmt::print("  {:>6}{:>12}{:>8}{:>12}{:>8.3f} {} {}{:>7.2f}%  {}{}\n", l.index,
                l.distance < kEndless ? fmt::format("{:.5g}", l.distance) : "-",
-               endless ? "-" : fmt::format("{:.3f}", l.distance / l.range), l.arriving, l.n_dot_l, three(l.diffuse),
-               three(l.specular), 100 * l.share, l.shaded ? fmt::format("{}", *l.shaded) : "-",
+               endless ? "-" : fmt::format("{:.3f}", l.distance / l.range),
+               l.hidden ? "hidden" : fmt::format("{:.4g}", l.arriving), l.n_dot_l, three(l.diffuse), three(l.specular),
+               100 * l.share, l.shaded ? fmt::format("{}", *l.shaded) : "-",
                verdict_of(l).empty() ? "" : " " + verdict_of(l));
   }
   fmt::print("\nthe sum\n");

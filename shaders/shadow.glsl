@@ -72,7 +72,8 @@ float visibility(Light light, vec3 position, vec3 normal, vec3 to_light) {
   vec4 clip = clip_from_relative * vec4(moved, 1.0);
   if (!(clip.w > 0.0)) return 1.0;
   vec3 at = clip.xyz / clip.w * 0.5 + 0.5;
-  if (at.z > 1.0) return 1.0;  // beyond all that the map holds
+  bool beside = rest.w == 0.0 && at.xy != clamp(at.xy, 0.0, 1.0);  // of a spot that is wider than a map can be
+  if (at.z > 1.0 || beside) return 1.0;                            // the map does not know
   return shadow_filtered(ivec2(rest.xy), at.xy * float(SHADOW_TEXELS), at.z);
 }
 #endif

@@ -52,7 +52,7 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
   report.time_source = gl::time_source();
   report.gbuffer_bytes_per_pixel = f.gbuffer_bytes_per_pixel;
   report.accumulation_bytes_per_pixel = f.accumulation_bytes_per_pixel;
-  report.mib = targets.frame.mib();
+  report.mib = targets.frame.mib() + shadow_mib(f);
   report.light_count = static_cast<int>(f.lights.size());
   report.light_total = f.light_total;
   return report;

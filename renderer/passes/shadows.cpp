@@ -44,6 +44,10 @@ void upload_maps(Frame& frame) {
 
 }  // namespace
 
+double shadow_mib(const ResolvedFrame& f) {
+  return double(f.shadows.size.x) * f.shadows.size.y * row(format_of(f.settings.shadow.format)).bytes / (1 << 20);
+}
+
 int draw_shadow_maps(Frame& frame) {
   const ShadowPlan& plan = frame.resolved.shadows;
   const Settings& s = frame.settings;

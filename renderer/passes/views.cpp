@@ -149,7 +149,8 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
                                                        : use_look(frame, view, look);
   set_colours(frame, program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
   shapes_.draw_fullscreen();
-  if (options.overlays) draw_overlays(view, s, scene, targets, options, canvas);
+  const bool of_the_picture = view != View::shadow_maps;  // what is laid over it is
+  if (options.overlays && of_the_picture) draw_overlays(view, s, scene, targets, options, canvas);
 }
 
 // The topmost last; then the wires and the outline, which cover little.
@@ -169,7 +170,7 @@ void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scen
     shapes_.draw_fullscreen();
   }
   Frame frame = frame_of(s, scene, targets);
-  if (under != View::shadow_maps) draw_volume_wires(frame, into);  // they are of the picture's pixels
+  draw_volume_wires(frame, into);
   draw_outline(frame, into);
 }
 

@@ -44,6 +44,32 @@ const AccountLine& line(const std::vector<AccountLine>& lines, std::string_view 
   return lines.front();
 }
 
+// A hidden light adds nothing, and the truth of the account is the reference's.
+TEST_F(PixelAccounts, LightsBehindSomethingAreHidden) {
+  Settings s = settings();
+  s.lights.range_scale = 3;
+  s.shadows = Shadows::all;
+  int hidden = 0;
+  for (int y = s.size.y / 8; y < s.size.y; y += s.size.y / 8)
+    for (int x = s.size.x / 8; x < s.size.x; x += s.size.x / 8) {
+      const PixelAccount a = account(s, {x, y});
+      if (!a.surface) continue;
+      glm::dvec3 all(0);
+      for (const LightShare& l : a.lights) {
+        all += l.diffuse + l.specular;
+        if (!l.hidden) continue;
+        ++hidden;
+        EXPECT_EQ(l.arriving, 0);
+        EXPECT_EQ(l.diffuse + l.specular, glm::dvec3(0));
+        EXPECT_EQ(l.share, 0);
+      }
+      const std::vector<double>& lit = line(a.terms, "= lit").truth;
+      const std::vector<double>& own = line(a.terms, "+ ambient, emission").truth;
+      for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(lit[k], own[k] + all[static_cast<glm::length_t>(k)], 1e-12);
+    }
+  EXPECT_GT(hidden, 0);
+}
+
 TEST_F(PixelAccounts, TheTermsAddUpToThePixelAndTheLightsToTheTerms) {
   Settings s = settings();
   s.lights.range_scale = 3;

@@ -161,6 +161,17 @@ TEST_F(ShadowsGl, EveryMethodDrawsTheSameShadows) {
   EXPECT_GE(drawn.size(), 8u);
 }
 
+TEST_F(ShadowsGl, MapsAreCountedAmongTheTargets) {
+  const SweepSetup setup = lamp_lit();
+  const GpuScene scene(setup.scene);
+  Renderer renderer;
+  Targets targets;
+  Settings s = setup.settings;
+  const double with = renderer.render(s, scene, targets).mib;
+  s.shadows = Shadows::off;
+  EXPECT_NEAR(with - renderer.render(s, scene, targets).mib, 6 * 4.0, 1e-9) << "six maps of 1024 x 1024 x 4 bytes";
+}
+
 TEST_F(ShadowsGl, OffTheirSettingsChangeNoBit) {
   SweepSetup s = lamp_lit();
   s.settings.shadows = Shadows::off;

@@ -82,7 +82,7 @@ void draw_lights(Painter& p, Shelf& shelf, float px, const PixelAccount& a, bool
     if (!table.row({{fmt::format("{}", l.index), theme().text},
                     {l.distance < kEndless ? fmt::format("{:.5g}", l.distance) : "-", theme().text},
                     {l.range < kEndless ? fmt::format("{:.3f}", l.distance / l.range) : "-", theme().text},
-                    {fmt::format("{:.3g}", l.arriving), theme().text},
+                    {l.hidden ? "hidden" : fmt::format("{:.3g}", l.arriving), theme().text},
                     {fmt::format("{:.3f}", l.n_dot_l), theme().text},
                     {fmt::format("{:.1f} %", 100 * l.share), theme().text},
                     {shaded, wrong.empty() ? theme().text : theme().unsound}}))
