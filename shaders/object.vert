@@ -11,7 +11,7 @@ layout(location = 5) in vec4 colour_in;
 uniform sampler2D instance_data;
 uniform int first_instance;
 #if SHADOW_MAP
-uniform mat4 shadow_clip_from_relative;  // of the light's map
+uniform mat4 shadow_clip_from_anchored;  // of the light's map; `relative` is then relative to the maps' anchor
 #endif
 
 out vec3 relative;  // position, from the camera
@@ -44,7 +44,7 @@ void main() {
   gl_Position = clip_from_object * vec4(vertex, 1.0);
   relative = vec4(vertex, 1.0) * relative_rows;
 #if SHADOW_MAP
-  gl_Position = shadow_clip_from_relative * vec4(relative, 1.0);
+  gl_Position = shadow_clip_from_anchored * vec4(relative, 1.0);
 #endif
 #if MISTAKE_NONUNIFORM_SCALE_NORMAL
   normal = vec4(normal_object, 0.0) * relative_rows;

@@ -41,6 +41,22 @@ int cube_face(vec3 v) {
   return v.z >= 0.0 ? 4 : 5;
 }
 
+mat4 shadow_matrix(int map) {
+  int first = map * SHADOW_MAP_TEXELS;
+  return mat4(shadow_record(first), shadow_record(first + 1), shadow_record(first + 2), shadow_record(first + 3));
+}
+
+// Of a point light's six maps.
+int shadow_face(Light light, vec3 position) {
+#if SHADOW_TRIES_FACES
+  for (int face = 0; face < 6; ++face) {
+    vec4 clip = shadow_matrix(light.shadow_map + face) * vec4(position, 1.0);
+    if (clip.w > 0.0 && all(lessThanEqual(abs(clip.xy), clip.ww))) return face;
+  }
+#endif
+  return cube_face(position - light.position);
+}
+
 int shadow_map_of(Light light, vec3 position) {
 #if LIGHT_KINDS
   if (light.kind == LIGHT_SPOT) return light.shadow_map;
@@ -51,23 +67,23 @@ int shadow_map_of(Light light, vec3 position) {
     return light.shadow_map + SHADOW_CASCADES - 1;
   }
 #endif
-  return light.shadow_map + cube_face(position - light.position);
+  return light.shadow_map + shadow_face(light, position);
 }
 
 // The point is moved before it is compared, by so many texels of the map as they are large at its place.
 float visibility(Light light, vec3 position, vec3 normal, vec3 to_light) {
   if (light.shadow_map < 0) return 1.0;
-  int first = shadow_map_of(light, position) * SHADOW_MAP_TEXELS;
-  mat4 clip_from_relative = mat4(shadow_record(first), shadow_record(first + 1), shadow_record(first + 2), shadow_record(first + 3));
-  vec4 rest = shadow_record(first + 4);
+  int first = shadow_map_of(light, position);
+  mat4 clip_from_relative = shadow_matrix(first);
+  vec4 rest = shadow_record(first * SHADOW_MAP_TEXELS + 4);
   float texel = rest.z * (clip_from_relative * vec4(position, 1.0)).w;  // w of an orthographic map is 1
   float cosine = max(dot(normal, to_light), 0.1);
   float slope = sqrt(1.0 - min(cosine * cosine, 1.0)) / cosine;
   vec3 moved = position + texel * ((shadow_bias.x + shadow_bias.y * slope) * to_light + shadow_bias.z * normal);
-  int map = shadow_map_of(light, moved) * SHADOW_MAP_TEXELS;  // moved across an edge of a cube it is on another face
+  int map = shadow_map_of(light, moved);  // moved across an edge of a cube it is on another face
   if (map != first) {
-    clip_from_relative = mat4(shadow_record(map), shadow_record(map + 1), shadow_record(map + 2), shadow_record(map + 3));
-    rest = shadow_record(map + 4);
+    clip_from_relative = shadow_matrix(map);
+    rest = shadow_record(map * SHADOW_MAP_TEXELS + 4);
   }
   vec4 clip = clip_from_relative * vec4(moved, 1.0);
   if (!(clip.w > 0.0)) return 1.0;

@@ -51,11 +51,17 @@ void take_shadows(ResolvedFrame& f, const Scene& scene, const std::vector<Light>
   const Settings& s = f.settings;
   if (s.shadows == Shadows::off) return;
   const auto texels = [](ShadowMapSize size) { return 256 << static_cast<int>(size); };
-  f.shadows = plan_shadows(lights, s.camera, f.aspect, scene.bounds,
+  const bool once = s.shadow.update == ShadowUpdate::once && s.time_s != 0;
+  Settings at_first = s;
+  at_first.time_s = 0;
+  f.shadows = plan_shadows(once ? all_lights_of(at_first, scene) : lights, s.camera, f.aspect, scene.bounds,
                            {.map_texels = texels(s.shadow.map_size),
                             .cascades = s.shadow.cascades,
                             .most_lights = s.shadow.max_lights,
-                            .suns_only = s.shadows == Shadows::sun});
+                            .suns_only = s.shadows == Shadows::sun,
+                            .stable = s.shadow.stable == ShadowStable::on,
+                            .near_one = s.shadow.reach == ShadowReach::near_one,
+                            .up_is_always_y = f.mistaken(Mistake::cube_lookat_up)});
   if (const int only = s.lights.only; only >= 0) keep_only(f.shadows, static_cast<size_t>(only));
   if (f.shadows.without > 0)
     f.choices.push_back(

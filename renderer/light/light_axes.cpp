@@ -46,6 +46,23 @@ constexpr ValueRow kShadowFilter[] = {
   {.value = at(ShadowFilter::bilinear), .id = "2x2", .label = "2 x 2, weighted", .help = "the four texels around the point, by its place among them: what a hardware comparison gives", .source = "Reeves et al. 1987, Rendering Antialiased Shadows with Depth Maps"},
   {.value = at(ShadowFilter::pcf3), .id = "3x3", .label = "3 x 3", .help = "nine comparisons averaged: softer, and wrong for as many texels more", .source = "Reeves et al. 1987, Rendering Antialiased Shadows with Depth Maps"},
 };
+constexpr ValueRow kShadowStable[] = {
+  {.value = at(ShadowStable::off), .id = "off", .label = "fitted to the view", .help = "the least square around what is seen: fine, and it creeps over the surfaces with every step of the camera"},
+  {.value = at(ShadowStable::on), .id = "on", .label = "stable", .help = "around a sphere, moved by whole texels: edges stay where they are while the camera moves", .cost = "up to half the texels lie beside the view", .source = "Valient 2007, Stable Rendering of Cascaded Shadow Maps"},
+};
+constexpr ValueRow kShadowPoint[] = {
+  {.value = at(ShadowPoint::axis), .id = "axis", .label = "by the longest axis", .help = "of six maps the one that a cube map would read"},
+  {.value = at(ShadowPoint::brute_force), .id = "brute-force", .label = "by trying all six", .help = "the first of six maps that the point falls into", .cost = "up to six matrices a pixel and light", .source = "engine blog, part 31"},
+};
+constexpr ValueRow kShadowReach[] = {
+  {.value = at(ShadowReach::fitted), .id = "fitted", .label = "fitted", .help = "from a thousandth of the light's range to its end, or to the end of the scene"},
+  {.value = at(ShadowReach::near_one), .id = "near-1", .label = "from 1 to 1.5 ranges", .help = "what is nearer to the light than one unit hides nothing", .source = "engine blog, part 31"},
+};
+constexpr ValueRow kShadowUpdate[] = {
+  {.value = at(ShadowUpdate::changed), .id = "changed", .label = "when they change", .help = "a map is drawn once and again when its light, or of a sun what is seen, has moved: the bits of each-frame"},
+  {.value = at(ShadowUpdate::each_frame), .id = "each-frame", .label = "each frame", .help = "all maps, whether they changed or not"},
+  {.value = at(ShadowUpdate::once), .id = "once", .label = "once", .help = "as lights stood at time 0: shadows stay behind when they move", .source = "engine blog, part 31"},
+};
 constexpr ValueRow kAttenuation[] = {
   {.value = at(Attenuation::none), .id = "none", .label = "none", .help = "full strength up to the range, then nothing"},
   {.value = at(Attenuation::linear), .id = "linear", .label = "linear 1 - d/r", .help = "falls in a straight line to 0 at the range; a visible kink at the rim", .source = "nclgl tutorial 15, pointlightfragment.glsl line 27"},
@@ -100,6 +117,10 @@ GBL_ROWS(ShadowMapSize, kShadowMapSize)
 GBL_ROWS(ShadowFormat, kShadowFormat)
 GBL_ROWS(ShadowCull, kShadowCull)
 GBL_ROWS(ShadowFilter, kShadowFilter)
+GBL_ROWS(ShadowStable, kShadowStable)
+GBL_ROWS(ShadowPoint, kShadowPoint)
+GBL_ROWS(ShadowReach, kShadowReach)
+GBL_ROWS(ShadowUpdate, kShadowUpdate)
 GBL_ROWS(Attenuation, kAttenuation)
 GBL_ROWS(RangeKind, kRangeKind)
 GBL_ROWS(LightCull, kLightCull)

@@ -109,6 +109,10 @@ struct Settings {
     double slope_bias = 1.5;   // … times the tangent of the light's angle to the normal
     double normal_offset = 0;  // along the normal
     int cascades = 3;          // maps of a sun
+    ShadowStable stable = ShadowStable::on;
+    ShadowPoint point = ShadowPoint::axis;
+    ShadowReach reach = ShadowReach::fitted;
+    ShadowUpdate update = ShadowUpdate::changed;
     int max_lights = 8;        // that have maps
     bool operator==(const Shadow&) const = default;
   } shadow;

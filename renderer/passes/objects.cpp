@@ -31,11 +31,11 @@ double draw_rank(const Frame& frame, int instance) {
   return 0;
 }
 
-// Made in double relative to the camera and rounded once: exact far from the world's origin.
-void append_record(const Frame& frame, int instance, std::vector<glm::vec4>& out) {
+// Made in double relative to the camera, or whatever is near, and rounded once: exact far from the world's origin.
+void append_record(const Frame& frame, int instance, const glm::dvec3& origin, std::vector<glm::vec4>& out) {
   const glm::dmat4& world_from_object = frame.scene.scene().instances[instance].world_from_object;
   glm::dmat4 relative_from_object = world_from_object;
-  relative_from_object[3] -= glm::dvec4(frame.settings.camera.position, 0);
+  relative_from_object[3] -= glm::dvec4(origin, 0);
   const glm::mat4 clip(frame.resolved.clip_from_relative * relative_from_object);
   const glm::mat4 rows(glm::transpose(relative_from_object));
   const glm::dmat3 directions(world_from_object);
@@ -124,7 +124,7 @@ static bool drawn_forward(const Frame& frame, const Material& m) {
   return m.alpha_mode == AlphaMode::blend && !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
 }
 
-std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
+static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm::dvec3& origin) {
   std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;
   records.clear();
   std::vector<ObjectDraw> draws;
@@ -138,7 +138,7 @@ std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
     if (!transparent) by_rank.push_back({rank(order.front()), {&batch, next, static_cast<int>(order.size())}});
     for (const int i : order) {
       if (transparent) by_rank.push_back({rank(i), {&batch, next, 1}});
-      append_record(frame, i, records);
+      append_record(frame, i, origin, records);
       ++next;
     }
   }
@@ -147,6 +147,11 @@ std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
   if (!draws.empty()) upload_records(frame.targets().uploads.instance_data, records, "instance_data", "instances");
   return draws;
 }
+
+std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
+  return prepare(frame, transparent, frame.settings.camera.position);
+}
+std::vector<ObjectDraw> prepare_casters(Frame& frame, const glm::dvec3& origin) { return prepare(frame, false, origin); }
 
 static gl::Cull cull_of(ObjectFaces faces, bool double_sided) {
   if (double_sided || faces == ObjectFaces::all) return gl::Cull::off;

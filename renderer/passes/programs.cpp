@@ -109,9 +109,11 @@ void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
   out.push_back({"SHADOWS", shadows});
   if (shadows) {
     append_axis(out, "SHADOW_FILTER", "SHADOW_FILTER_", s.shadow.filter);
+    // A map that stands still does not follow its light: where the light was, only the map's matrix tells.
+    const bool tries = s.shadow.point == ShadowPoint::brute_force || s.shadow.update == ShadowUpdate::once;
+    out.push_back({"SHADOW_TRIES_FACES", tries});
     out.push_back({"SHADOW_TEXELS", f.shadows.map_texels});
     out.push_back({"SHADOW_CASCADES", s.shadow.cascades});
-    out.push_back({"SHADOW_NEAR_SHARE", std::to_string(kShadowNearShare)});
   }
   out.push_back({"SPOT_COS_POWER", s.lights.spot == LightSpot::cos_power});
 }

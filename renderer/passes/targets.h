@@ -8,6 +8,7 @@
 #include "renderer/gl/readback.h"
 #include "renderer/gl/timer.h"
 #include "renderer/light/light_clusters.h"
+#include "renderer/light/shadow_maps.h"
 #include "renderer/passes/canvases.h"
 
 namespace gbl {
@@ -40,6 +41,10 @@ struct ReadBacks {
 struct ShadowTargets {
   gl::Texture depth, records;
   gl::Framebuffer framebuffer;
+  // What the tiles hold, so that what has not changed is not drawn again:
+  std::weak_ptr<const Scene> scene;
+  Settings drawn_as;  // less what maps do not depend on
+  std::vector<ShadowMap> held;
 };
 
 struct Targets {

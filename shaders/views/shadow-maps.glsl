@@ -10,7 +10,10 @@ vec3 value(ivec2 texel) {
   within.y = SHADOW_TEXELS - 1 - within.y;
   float depth = texelFetch(shadow_depth, tile * SHADOW_TEXELS + within, 0).r;
   if (shadow_record(map * SHADOW_MAP_TEXELS + 4).w > 0.0) return vec3(depth);  // a sun's
-  return vec3(SHADOW_NEAR_SHARE / (1.0 - depth * (1.0 - SHADOW_NEAR_SHARE)));
+  mat4 clip = shadow_matrix(map);
+  float steep = length(vec3(clip[0].z, clip[1].z, clip[2].z));  // (far + near) / (far - near)
+  float near_share = (steep - 1.0) / (steep + 1.0);
+  return vec3(near_share > 0.0 ? near_share / (1.0 - depth * (1.0 - near_share)) : 1.0);
 #else
   return vec3(-1.0);
 #endif

@@ -9,6 +9,7 @@ namespace gbl {
 namespace {
 
 const Bounds kScene{{-20, 0, -20}, {20, 10, 20}};
+const glm::dvec3 kAnchor(0, 5, 0);  // its middle
 
 Camera camera() {
   Camera c;
@@ -31,20 +32,13 @@ ShadowPlan plan_of(const std::vector<Light>& lights, const ShadowWishes& wishes 
   return plan_shadows(lights, camera(), 16.0 / 9, kScene, wishes);
 }
 
-bool finite(const glm::dmat4& m) {
-  for (int k = 0; k < 4; ++k)
-    for (int j = 0; j < 4; ++j)
-      if (!std::isfinite(m[k][j])) return false;
-  return true;
-}
-
 glm::dvec3 in_box(Pcg32& random, const Bounds& b) {
   return {random.in(b.min.x, b.max.x), random.in(b.min.y, b.max.y), random.in(b.min.z, b.max.z)};
 }
 
 // In -1..1 where the map holds it.
 glm::dvec3 on_map(const ShadowMap& m, const glm::dvec3& world) {
-  const glm::dvec4 clip = m.clip_from_relative * glm::dvec4(world - camera().position, 1);
+  const glm::dvec4 clip = m.clip_from_anchored * glm::dvec4(world - kAnchor, 1);
   return clip.w > 0 ? glm::dvec3(clip) / clip.w : glm::dvec3(2);
 }
 bool holds(const ShadowMap& m, const glm::dvec3& world) {
@@ -65,7 +59,7 @@ TEST(ShadowMaps, TheSixFacesOfACubeAreRotationsThatLookAlongTheirAxes) {
 TEST(ShadowMaps, NoDirectionMakesAMatrixOfNoNumbers) {
   for (const LightKind kind : {LightKind::spot, LightKind::directional})
     for (const glm::dvec3& d : {glm::dvec3(0, 1, 0), {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, {1e-9, -1, 0}, {1, 1, 1}})
-      for (const ShadowMap& m : plan_of({light_of(kind, d)}).maps) EXPECT_TRUE(finite(m.clip_from_relative));
+      for (const ShadowMap& m : plan_of({light_of(kind, d)}).maps) EXPECT_TRUE(is_finite(m.clip_from_anchored));
 }
 
 TEST(ShadowMaps, APointLightsFacesHoldAllAroundIt) {
@@ -98,9 +92,12 @@ TEST(ShadowMaps, ASpotsMapHoldsItsCone) {
   EXPECT_GT(inside, 20);
 }
 
-TEST(ShadowMaps, ASunsCascadesHoldWhatIsSeenAndAllThatMayHideIt) {
+class SunMaps : public testing::TestWithParam<bool> {};  // stable
+INSTANTIATE_TEST_SUITE_P(BothWays, SunMaps, testing::Bool());
+
+TEST_P(SunMaps, HoldWhatIsSeenAndAllThatMayHideIt) {
   const Light sun = light_of(LightKind::directional, {0.4, -1, -0.3});
-  const ShadowPlan plan = plan_of({sun}, {.cascades = 4});
+  const ShadowPlan plan = plan_of({sun}, {.cascades = 4, .stable = GetParam()});
   ASSERT_EQ(plan.maps.size(), 4u);
   Pcg32 random(3);
   const glm::dmat4 clip_from_camera = clip_from_relative(camera(), 16.0 / 9);
@@ -121,6 +118,57 @@ TEST(ShadowMaps, ASunsCascadesHoldWhatIsSeenAndAllThatMayHideIt) {
     }
   }
   EXPECT_GT(seen, 500);
+}
+
+// As the camera steps and turns, each map keeps its size and moves by whole texels of a grid that does not move.
+TEST(ShadowMaps, StableOnesMoveByWholeTexels) {
+  const std::vector<Light> sun = {light_of(LightKind::directional, {0.4, -1, -0.3})};
+  const ShadowWishes wishes{.map_texels = 512, .cascades = 3};
+  const ShadowPlan before = plan_shadows(sun, camera(), 16.0 / 9, kScene, wishes);
+  Pcg32 random(4);
+  int moved = 0;
+  for (int i = 0; i < 100; ++i) {
+    Camera c = camera();
+    c.position += glm::dvec3(random.in(-0.1, 0.1), random.in(-0.1, 0.1), random.in(-0.1, 0.1));
+    c.orientation = orientation_from_yaw_pitch(random.in(-180, 180), random.in(-60, 60));
+    const ShadowPlan after = plan_shadows(sun, c, 16.0 / 9, kScene, wishes);
+    for (size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(after.maps[k].texel, before.maps[k].texel);
+      const glm::dmat4 &m = after.maps[k].clip_from_anchored, &n = before.maps[k].clip_from_anchored;
+      for (int axis = 0; axis < 2; ++axis) {
+        const double texels = (m[3][axis] - n[3][axis]) * wishes.map_texels / 2;
+        EXPECT_NEAR(texels, std::round(texels), 1e-6);
+        moved += texels != 0;
+      }
+    }
+  }
+  EXPECT_GT(moved, 100) << "they do follow it";
+}
+
+// What a lamp's map holds does not depend on the camera: it need not be drawn again.
+TEST(ShadowMaps, OfALampAreTheSameForEveryCamera) {
+  const std::vector<Light> lamps = {light_of(LightKind::point), light_of(LightKind::spot)};
+  Camera elsewhere = camera();
+  elsewhere.position = {-7, 9, 1}, elsewhere.orientation = orientation_from_yaw_pitch(70, 20);
+  const ShadowPlan a = plan_of(lamps), b = plan_shadows(lamps, elsewhere, 1, kScene, {});
+  ASSERT_EQ(a.maps.size(), b.maps.size());
+  for (size_t k = 0; k < a.maps.size(); ++k) EXPECT_EQ(a.maps[k].clip_from_anchored, b.maps[k].clip_from_anchored);
+}
+
+TEST(ShadowMaps, FromOneUnitOnTheyHoldNothingNearer) {
+  const Light lamp = light_of(LightKind::point);
+  const ShadowMap down = plan_of({lamp}, {.near_one = true}).maps[3];
+  EXPECT_FALSE(holds(down, lamp.position - glm::dvec3(0, 0.99, 0)));
+  EXPECT_TRUE(holds(down, lamp.position - glm::dvec3(0, 1.01, 0)));
+  EXPECT_TRUE(holds(down, lamp.position - glm::dvec3(0, 1.49 * lamp.range, 0)));
+  EXPECT_FALSE(holds(down, lamp.position - glm::dvec3(0, 1.51 * lamp.range, 0)));
+}
+
+TEST(ShadowMaps, WithTheSameUpVectorTwoOfSixAreNoNumbers) {
+  int finite = 0;
+  for (const ShadowMap& m : plan_of({light_of(LightKind::point)}, {.up_is_always_y = true}).maps)
+    finite += is_finite(m.clip_from_anchored);
+  EXPECT_EQ(finite, 4);
 }
 
 TEST(ShadowMaps, CascadesEndFartherAndFartherAndAtTheFarPlane) {
@@ -204,7 +252,7 @@ TEST(ShadowMaps, WhatMayHideIsNeverLeftOut) {
     for (const ShadowMap& m : plan.maps) {
       bool inside = false;
       for (int k = 0; k < 30; ++k) inside |= holds(m, in_box(random, box));
-      const bool kept = may_hide(m, camera().position, box);
+      const bool kept = may_hide(m, kAnchor, box);
       EXPECT_TRUE(kept || !inside);
       left_out += !kept;
     }

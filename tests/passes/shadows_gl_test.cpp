@@ -3,6 +3,7 @@
 
 #include "app/stability_bench.h"
 #include "renderer/frame/validate.h"
+#include "renderer/passes/judging.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {
@@ -159,6 +160,65 @@ TEST_F(ShadowsGl, EveryMethodDrawsTheSameShadows) {
     drawn.insert(r.id);
   }
   EXPECT_GE(drawn.size(), 8u);
+}
+
+// A walk past a lamp and a sun: maps that are drawn when they change give the bits of maps that are drawn each frame, and a
+// lamp's six are drawn once.
+TEST_F(ShadowsGl, DrawnWhenTheyChangeTheyAreThoseOfEachFrame) {
+  const SweepSetup setup = yard_under("test:walk", {sun_along({0.5, -1, -0.4}), point_at({16, 8, 18}, 60)});
+  const GpuScene scene(setup.scene);
+  Renderer renderer;
+  Targets kept, anew;
+  Settings s = setup.settings;
+  const auto frame = [&] {
+    s.shadow.update = ShadowUpdate::changed;
+    const int calls = renderer.render(s, scene, kept).draw_calls;
+    s.shadow.update = ShadowUpdate::each_frame;
+    const int all_calls = renderer.render(s, scene, anew).draw_calls;
+    EXPECT_EQ(read_lit(kept), read_lit(anew));
+    return all_calls - calls;  // saved
+  };
+  EXPECT_EQ(frame(), 0) << "the first frame draws all";
+  const int still = frame();
+  EXPECT_GT(still, 6) << "and the second none";
+  s.camera.position.x += 3;
+  const int after_step = frame();
+  EXPECT_GT(after_step, 0) << "the lamp's maps are kept";
+  EXPECT_LT(after_step, still) << "the sun's follow the camera";
+  s.shadow.cull = ShadowCull::front;
+  EXPECT_EQ(frame(), 0) << "they hold other faces";
+  s.shadow.map_size = ShadowMapSize::s512;
+  EXPECT_EQ(frame(), 0);
+}
+
+TEST_F(ShadowsGl, DrawnOnceTheyStayBehindTheirLights) {
+  SweepSetup s = yard_under("test:once", {});
+  s.settings.lights.source = LightSource::generated, s.settings.lights.count = 3;
+  s.settings.shadow.update = ShadowUpdate::once;
+  const double at_first = wrong(bench().measure(s).errors);
+  s.settings.time_s = 20;
+  const double later = wrong(bench().measure(s).errors);
+  s.settings.shadow.update = ShadowUpdate::changed;
+  const double followed = wrong(bench().measure(s).errors);
+  EXPECT_GT(later, 4 * at_first);
+  EXPECT_GT(later, 4 * followed);
+}
+
+// Of six maps the one by the longest axis, or the first that holds the point: the same but where two faces meet.
+TEST_F(ShadowsGl, TriedOneByOneTheSixMapsGiveTheSameShadows) {
+  SweepSetup s = lamp_lit();
+  const Errors by_axis = bench().measure(s).errors;
+  s.settings.shadow.point = ShadowPoint::brute_force;
+  const Errors tried = bench().measure(s).errors;
+  EXPECT_NEAR(wrong(tried), wrong(by_axis), 10);
+}
+
+TEST_F(ShadowsGl, LookingAlongTheUpVectorLosesWhatIsAboveAndBelow) {
+  SweepSetup s = yard_under("test:high-lamp", {point_at({18, 20, 20}, 60)});
+  const double right = *bench().measure(s).errors.shadow_lit_pixels;
+  s.settings.mistakes = {Mistake::cube_lookat_up};
+  const Errors e = bench().measure(s).errors;
+  EXPECT_GT(*e.shadow_lit_pixels, right + 200);
 }
 
 TEST_F(ShadowsGl, MapsAreCountedAmongTheTargets) {
