@@ -48,6 +48,7 @@ ExitCode run_bench(const Arguments& a) {
   bench.start(s, lab.gpu_scene(), wishes_of(a));
   bench.step(true);
   const MeasuredColumns row = bench.row();
+  say_choices(lab.renderer().resolve(s, *lab.gpu_scene())->choices);
   if (a.json)
     print_json(row);
   else

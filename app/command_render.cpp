@@ -187,6 +187,7 @@ ExitCode run_render(const Arguments& a) {
   }
   write_text_file(folder / "settings.json", settings_text(s) + "\n");
   const std::vector<std::string> files = writer.finish();
+  say_choices(lab.report().choices);
   if (a.json)
     fmt::print("{}\n", report_json(lab).dump(2));
   else

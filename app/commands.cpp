@@ -45,6 +45,10 @@ int complain(const char* message, ExitCode code) {
 
 std::span<const Command> commands() { return kCommands; }
 
+void say_choices(const std::vector<std::string>& choices) {
+  for (const std::string& c : choices) fmt::print(stderr, "gbufferlab: {}\n", c);
+}
+
 bool display_present() {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
     if (const char* value = std::getenv(name); value && *value) return true;

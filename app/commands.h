@@ -84,6 +84,9 @@ ExitCode run_start_sheets(const Arguments&);  // what happens without a command 
 
 bool display_present();
 
+// What was chosen, reduced or left out, and why; on standard error, a line each.
+void say_choices(const std::vector<std::string>&);
+
 // Catches what commands throw: one line on standard error and the exit code.
 int run_program(int argc, const char* const* argv);
 

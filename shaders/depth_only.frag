@@ -2,7 +2,7 @@
 #include "material.glsl"
 
 void main() {
-#if ALPHA_MASK
+#if ALPHA_MASK && !SHADOW_SOLID
   if (material_base().a < alpha_cutoff) discard;
 #endif
 }

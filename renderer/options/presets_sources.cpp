@@ -65,6 +65,7 @@ Settings stereo() {
   s.lights.cull = LightCull::front;
   s.attenuation = Attenuation::windowed;
   s.shading.model = ShadingModel::ggx;
+  s.shadows = Shadows::all;  // step 7: an array of maps, an array of cubes, both compared by the sampler
   s.ambient = 0.3;
   s.background = {BackgroundFill::black, glm::dvec3(0.2), BackgroundSkip::none};
   s.layout = Layout::stereo;
@@ -189,8 +190,16 @@ Settings viewspace() {
   s.position.source = PositionSource::view_scaled;
   s.depth.format = DepthFormat::d24;
   s.tangents = Tangents::matrix_columns;
+  // Part 31, lsRenderShadowMapsForPointLight, and three cascades of the sun.
+  s.shadows = Shadows::all;
+  s.shadow.cull = ShadowCull::front;
+  s.shadow.bias = s.shadow.slope_bias = 0;
+  s.shadow.filter = ShadowFilter::none;
+  s.shadow.point = ShadowPoint::brute_force;
+  s.shadow.reach = ShadowReach::near_one;
   s.accumulation = {AccumulationFormat::rgba8, AccumulationTargets::one};
-  s.mistakes = {Mistake::interpolated_not_normalised, Mistake::decode_not_normalised, Mistake::range_shortcut};
+  s.mistakes = {Mistake::interpolated_not_normalised, Mistake::decode_not_normalised, Mistake::range_shortcut,
+                Mistake::cube_lookat_up};
   return s;
 }
 
@@ -201,6 +210,7 @@ Settings viewspace_fixed() {
   s.lights.method = LightMethod::quads;
   s.position.source = PositionSource::view32f;
   s.tangents = Tangents::vertex;
+  s.shadow = {};
   return s;
 }
 

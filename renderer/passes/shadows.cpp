@@ -103,6 +103,7 @@ int draw_shadow_maps(Frame& frame) {
   begin_drawing(t.framebuffer, plan.size, {.depth = gl::DepthTest::less, .depth_write = true, .colour_write = false});
   gl::Defines defines = frame.surface_defines();
   defines.push_back({"SHADOW_MAP", 1});
+  defines.push_back({"SHADOW_SOLID", frame.resolved.mistaken(Mistake::shadow_leaves_solid)});
   glEnable(GL_SCISSOR_TEST);
   int calls = 0;
   for (const ShadowMap& m : maps) calls += draw_map(frame, m, casters, defines);

@@ -31,5 +31,6 @@ Scene build_layers();
 Scene build_hall();
 Scene build_city();
 Scene build_yard();
+Scene build_bias();
 
 }  // namespace gbl

@@ -146,7 +146,8 @@ void add_lamps(Scene& scene, const RoomMaterials& m) {
 
 void add_lights(Scene& scene) {
   Light bulb, spot, glow;
-  bulb.position = kBulb - glm::dvec3(0, 0.05, 0), bulb.colour = {4.2, 3.4, 2.4}, bulb.range = 9;
+  // Just below the glass, which else would hide its own light.
+  bulb.position = kBulb - glm::dvec3(0, 0.105, 0), bulb.colour = {4.2, 3.4, 2.4}, bulb.range = 9;
   spot.kind = LightKind::spot;
   spot.position = kSpot, spot.direction = glm::normalize(kSpotTarget - kSpot);
   spot.colour = {13, 13.5, 14}, spot.range = 8;

@@ -41,6 +41,7 @@ constexpr ErrorColumn kColumns[] = {
     {"doubled_pixels", "", "pixels with more than one and a half times their light", &Errors::doubled_pixels},
     {"shadow_lit_pixels", "", "pixels that are lit although something hides the light: too bright by a quarter of what would arrive", &Errors::shadow_lit_pixels},
     {"shadow_dark_pixels", "", "pixels that are dark although nothing hides the light: too dark by a quarter of what would arrive", &Errors::shadow_dark_pixels},
+    {"shadow_wrong_pixels", "", "the sum of both", &Errors::shadow_wrong_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
     {"background_off_pixels", "", "pixels without a surface that are brighter or darker than the background", &Errors::background_off_pixels},
     {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
@@ -178,6 +179,7 @@ void count_wrong_shadows(Errors& e, const Truth& truth, const Drawn& drawn) {
     lit += off > kShare * all, dark += off < -kShare * all;
   }
   e.shadow_lit_pixels = static_cast<double>(lit), e.shadow_dark_pixels = static_cast<double>(dark);
+  e.shadow_wrong_pixels = static_cast<double>(lit + dark);
 }
 
 // ---- attributes -----------------------------------------------------------------------------------------------------

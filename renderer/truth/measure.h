@@ -28,7 +28,8 @@ struct Errors {
   std::optional<double> normal_deg_mean, normal_deg_p50, normal_deg_p99, normal_deg_max;  // degrees
   std::optional<double> position_mean, position_p99, position_max;                        // world units
   std::optional<double> nonfinite_pixels, lost_pixels, doubled_pixels, background_lit_pixels, background_off_pixels;
-  std::optional<double> shadow_lit_pixels, shadow_dark_pixels;  // wrong by a shadow: none where no light has one
+  // Wrong by a shadow, and their sum: none where no light has one.
+  std::optional<double> shadow_lit_pixels, shadow_dark_pixels, shadow_wrong_pixels;
   std::optional<double> blended_pixels;                         // drawn forward after the lighting: not judged
   std::optional<double> tie_pixels;       // frame and reference see different surfaces at an edge (ties.h)
   std::optional<double> compared_pixels;  // with a surface

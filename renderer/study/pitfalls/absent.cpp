@@ -29,7 +29,6 @@ constexpr AbsentPitfall kAbsent[] = {
     {"rgb8-attachment", "the lab has no attachment of three channels"},
     {"ubo-64000", "lights lie in a texture. Test Portability.Ubo64000"},
     {"colour-not-cleared", "it needs the frame before; in the lab equal settings give equal pictures"},
-    {"cube-lookat-up", "the lab's faces take another up vector there. Test ShadowMaps.NoDirectionMakesAMatrixOfNoNumbers"},
     {"count-overflow", "an error of C++, not of a renderer"},
     {"lightnum-one-nan", "one light stands in the middle. Test Lights.OneStandsOnTheAxisAndTwoInOneRow"},
 };
