@@ -30,6 +30,10 @@ noperspective out vec2 corner;  // barycentric coordinates: of the second and th
 #endif
 // Passes of other programs test for this very depth.
 invariant gl_Position;
+#if CLIP_PLANE && !SHADOW_MAP
+uniform vec4 clip_plane;  // relative to the camera: what is behind it is cut away
+out float gl_ClipDistance[1];
+#endif
 
 vec4 instance_texel(int k) {
   int i = (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k;
@@ -45,6 +49,9 @@ void main() {
   relative = vec4(vertex, 1.0) * relative_rows;
 #if SHADOW_MAP
   gl_Position = shadow_clip_from_anchored * vec4(relative, 1.0);
+#endif
+#if CLIP_PLANE && !SHADOW_MAP
+  gl_ClipDistance[0] = dot(clip_plane, vec4(relative, 1.0));
 #endif
 #if MISTAKE_NONUNIFORM_SCALE_NORMAL
   normal = vec4(normal_object, 0.0) * relative_rows;

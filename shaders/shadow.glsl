@@ -1,5 +1,6 @@
 // How much of a light arrives at a surface point, by the light's shadow maps: 0 hidden … 1 seen.
 #include "lights.glsl"
+#include "cube.glsl"
 
 #if SHADOWS
 uniform sampler2D shadow_depth;    // all maps side by side
@@ -31,14 +32,6 @@ float shadow_filtered(ivec2 corner, vec2 at, float depth) {
     for (int x = -1; x <= 1; ++x) sum += shadow_test(corner, ivec2(floor(at)) + ivec2(x, y), depth);
   return sum / 9.0;
 #endif
-}
-
-// The face of a cube that a direction leaves by: +X, -X, +Y, -Y, +Z, -Z.
-int cube_face(vec3 v) {
-  vec3 a = abs(v);
-  if (a.x >= a.y && a.x >= a.z) return v.x >= 0.0 ? 0 : 1;
-  if (a.y >= a.z) return v.y >= 0.0 ? 2 : 3;
-  return v.z >= 0.0 ? 4 : 5;
 }
 
 mat4 shadow_matrix(int map) {

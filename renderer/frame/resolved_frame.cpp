@@ -70,6 +70,27 @@ void take_shadows(ResolvedFrame& f, const Scene& scene, const std::vector<Light>
                     f.shadows.without, f.shadows.without + f.shadows.with, s.shadow.max_lights, kMostShadowTexels));
 }
 
+void take_mirrors(ResolvedFrame& f, const Scene& scene) {
+  const Settings& s = f.settings;
+  if (s.reflections == Reflections::off || s.reflect.method == ReflectMethod::none) return;
+  std::vector<Mirror> all = mirrors_of(scene);
+  if (all.empty()) f.choices.emplace_back("nothing is mirrored: no surface of the scene is smooth enough");
+  if (f.multisampled && !all.empty()) {
+    f.choices.emplace_back(
+        "nothing is mirrored: with antialias=msaa-resolved no depth is left to draw mirrors against");
+    return;
+  }
+  for (Mirror& m : all) m.flat = m.flat && s.reflect.method == ReflectMethod::planar;
+  // From behind, a plane shows nothing.
+  std::erase_if(all, [&](const Mirror& m) { return m.flat && m.plane.distance(s.camera.position) <= 0; });
+  if (all.size() > kMostMirrors) {
+    f.choices.push_back(fmt::format("{} of {} mirrors show nothing: a frame draws {}", all.size() - kMostMirrors,
+                                    all.size(), kMostMirrors));
+    all.resize(kMostMirrors);
+  }
+  f.mirrors = std::move(all);
+}
+
 Settings without_view(Settings s) {
   s.view = {};
   return s;
@@ -113,6 +134,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   take_attachments(f);
   take_camera(f);
   take_shadows(f, scene, all);
+  take_mirrors(f, scene);
   f.light_sum_scale = light_sum_scale(f.settings.exposure);
   f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;
   return f;

@@ -7,6 +7,7 @@
 
 #include "renderer/frame/attachments.h"
 #include "renderer/light/shadow_maps.h"
+#include "renderer/reflection/mirrors.h"
 #include "renderer/scene/scene.h"
 
 namespace gbl {
@@ -34,7 +35,8 @@ struct ResolvedFrame {
   double volume_depth_step = 0;   // window depth that rounding can hide between a surface and a volume's face
   bool transparent_pass = false;  // something is drawn forward after the lighting
 
-  ShadowPlan shadows;  // no maps: no light has a shadow
+  ShadowPlan shadows;           // no maps: no light has a shadow
+  std::vector<Mirror> mirrors;  // that show the scene; flat ones only where planes are drawn
 
   double light_sum_scale = 1;  // light sums are stored times this power of two
 

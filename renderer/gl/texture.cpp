@@ -66,6 +66,8 @@ constexpr const char* kSmallerTarget = "choose a smaller size, or a layout of fe
 
 }  // namespace
 
+double mib_of(const Texture& t) { return double(t.size.x) * t.size.y * row(t.format).bytes / (1 << 20); }
+
 Texture make_texture(const TextureDesc& d) {
   Texture t{Object<Kind::texture>::make(), d.size, d.format, std::string(d.label)};
   const GlFormat& f = gl_format(d.format);

@@ -24,6 +24,7 @@ struct TextureDesc {
   bool linear_filter = false;  // else nearest: attachments are read by texel
   std::string_view label;
 };
+double mib_of(const Texture&);  // its texels, without mipmaps
 // Its texels as squares where it is shown larger than it is, or blended; of a texture with a linear filter.
 void magnify_squares(const Texture&, bool);
 

@@ -24,6 +24,21 @@ constexpr ValueRow kShadows[] = {
   {.value = at(Shadows::sun), .id = "sun", .label = "of the sun", .help = "what stands between a surface and a directional light hides it; blended surfaces hide nothing"},
   {.value = at(Shadows::all), .id = "all", .label = "of all lights", .help = "the same of point and spot lights, too"},
 };
+constexpr ValueRow kReflections[] = {
+  {.value = at(Reflections::off), .id = "off", .label = "off", .help = "surfaces reflect lights alone"},
+  {.value = at(Reflections::on), .id = "on", .label = "once", .help = "smooth surfaces (roughness up to 0.2, no roughness texture) mirror the scene, lit and shadowed, but not its mirrors; blended surfaces are not seen in them"},
+};
+constexpr ValueRow kReflectMethod[] = {
+  {.value = at(ReflectMethod::none), .id = "none", .label = "none", .help = "nothing is mirrored"},
+  {.value = at(ReflectMethod::planar), .id = "planar", .label = "planar, else cube", .help = "a flat mirror shows the scene from behind its plane, to the pixel; others read a cube", .cost = "a frame more for each flat mirror", .source = "tutorial 9, steps 40 and 41"},
+  {.value = at(ReflectMethod::cube), .id = "cube", .label = "cube", .help = "six pictures from the object's middle, read by direction alone: right for what is far away", .cost = "six square frames for each mirror, drawn again when lights or settings change", .source = "tutorial 9, steps 37, 42 and 43"},
+};
+constexpr ValueRow kReflectSize[] = {
+  {.value = at(ReflectSize::s64), .id = "64", .label = "64", .help = "texels to a side of each of a cube's pictures"},
+  {.value = at(ReflectSize::s128), .id = "128", .label = "128", .help = "texels to a side of each of a cube's pictures"},
+  {.value = at(ReflectSize::s256), .id = "256", .label = "256", .help = "texels to a side of each of a cube's pictures"},
+  {.value = at(ReflectSize::s512), .id = "512", .label = "512", .help = "texels to a side of each of a cube's pictures"},
+};
 constexpr ValueRow kShadowMapSize[] = {
   {.value = at(ShadowMapSize::s256), .id = "256", .label = "256", .help = "texels to a side of each map", .cost = "64 K texels a map"},
   {.value = at(ShadowMapSize::s512), .id = "512", .label = "512", .help = "texels to a side of each map", .cost = "256 K texels a map"},
@@ -113,6 +128,9 @@ GBL_ROWS(LightSource, kLightSource)
 GBL_ROWS(LightSpot, kLightSpot)
 GBL_ROWS(LightMarkers, kLightMarkers)
 GBL_ROWS(Shadows, kShadows)
+GBL_ROWS(Reflections, kReflections)
+GBL_ROWS(ReflectMethod, kReflectMethod)
+GBL_ROWS(ReflectSize, kReflectSize)
 GBL_ROWS(ShadowMapSize, kShadowMapSize)
 GBL_ROWS(ShadowFormat, kShadowFormat)
 GBL_ROWS(ShadowCull, kShadowCull)

@@ -198,6 +198,8 @@ constexpr Use kByNormalMaps = {[](const Settings& s) { return s.normal_map == No
 constexpr Use kByThreshold = {[](const Settings& s) { return s.range.kind == RangeKind::threshold; },
                               [](const Settings& s) { return fmt::format("range {}", row(s.range.kind).label); }};
 
+constexpr Use kByReflections = {[](const Settings& s) { return s.reflections != Reflections::off; },
+                                [](const Settings& s) { return fmt::format("reflections {}", row(s.reflections).label); }};
 constexpr Use kByShadows = {[](const Settings& s) { return s.shadows != Shadows::off; },
                             [](const Settings& s) { return fmt::format("shadows {}", row(s.shadows).label); }};
 
@@ -229,6 +231,7 @@ const Option kOptions[] = {
   {.path = "shading.exponent", .group = Group::truth, .label = "Exponent", .help = "of the highlight: a number, or from-roughness (2/roughness^4 - 2, the lobe normalised)", .kind = Kind::number, .min = 0, .max = 8192, .get = exponent_value, .set = SET(s.shading.exponent = checked_exponent(o, v))},
   {.path = "shading.specular", .group = Group::truth, .label = "Specular", .help = "factor of the highlight", NUMBER(shading.specular, 0, 100)},
   {.path = "shadows", .group = Group::truth, .label = "Shadows", .help = "which lights are hidden by what stands in their way", CHOICE(Shadows, shadows)},
+  {.path = "reflections", .group = Group::truth, .label = "Reflections", .help = "whether smooth surfaces mirror the scene", CHOICE(Reflections, reflections)},
   {.path = "ambient", .group = Group::truth, .label = "Ambient", .help = "light from everywhere, times the albedo", NUMBER(ambient, 0, 1e6)},
   {.path = "background.fill", .group = Group::truth, .label = "Background", .help = "what is seen where no surface is", CHOICE(BackgroundFill, background.fill)},
   {.path = "background.colour", .group = Group::truth, .label = "Background colour", .help = "linear, for background.fill=colour", .kind = Kind::vector, .min = 0, .max = 1e6, .get = GET(vec3_list(s.background.colour)), .set = SET(s.background.colour = checked_vec3(o, v))},
@@ -264,6 +267,8 @@ const Option kOptions[] = {
   {.path = "shadow.reach", .group = Group::method, .label = "Shadow planes", .help = "near and far plane of the maps of points and spots", CHOICE(ShadowReach, shadow.reach), .use = &kByShadows},
   {.path = "shadow.update", .group = Group::method, .label = "Shadow update", .help = "when maps are drawn", CHOICE(ShadowUpdate, shadow.update), .use = &kByShadows},
   {.path = "shadow.max-lights", .group = Group::method, .label = "Shadowed lights", .help = "so many lights have maps, suns first; light of the others passes through everything", INTEGER(shadow.max_lights, 0, 256), .use = &kByShadows},
+  {.path = "reflect.method", .group = Group::method, .label = "Mirrors", .help = "where the mirrored scene comes from", CHOICE(ReflectMethod, reflect.method), .use = &kByReflections},
+  {.path = "reflect.size", .group = Group::method, .label = "Mirror cube", .help = "size of its six pictures", CHOICE(ReflectSize, reflect.size), .use = &kByReflections},
   {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents), .use = &kByNormalMaps},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},

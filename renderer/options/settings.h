@@ -67,6 +67,7 @@ struct Settings {
     bool operator==(const Shading&) const = default;
   } shading;
   Shadows shadows = Shadows::off;
+  Reflections reflections = Reflections::off;
   double ambient = 0.2;
   struct Background {
     BackgroundFill fill = BackgroundFill::grey;
@@ -113,9 +114,14 @@ struct Settings {
     ShadowPoint point = ShadowPoint::axis;
     ShadowReach reach = ShadowReach::fitted;
     ShadowUpdate update = ShadowUpdate::changed;
-    int max_lights = 8;        // that have maps
+    int max_lights = 8;  // that have maps
     bool operator==(const Shadow&) const = default;
   } shadow;
+  struct Reflect {
+    ReflectMethod method = ReflectMethod::planar;
+    ReflectSize size = ReflectSize::s256;
+    bool operator==(const Reflect&) const = default;
+  } reflect;
   Tangents tangents = Tangents::vertex;
   Antialias antialias = Antialias::none;
   DrawOrder draw_order = DrawOrder::near_far;

@@ -20,6 +20,7 @@ gl::Defines Frame::defines() const {
 gl::Defines Frame::surface_defines() const {
   gl::Defines d = gbuffer_defines(resolved);
   append_surface_defines(d, settings, facts(settings.layout).keeps_emission);
+  d.push_back({"CLIP_PLANE", targets_.cut.behind.has_value()});
   return d;
 }
 
@@ -27,6 +28,7 @@ gl::Defines Frame::shaded_defines() const {
   gl::Defines d = gbuffer_defines(resolved);
   append_surface_defines(d, settings, true);
   append_light_defines(d, resolved);
+  d.push_back({"CLIP_PLANE", targets_.cut.behind.has_value()});
   return d;
 }
 
@@ -52,7 +54,7 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
   report.time_source = gl::time_source();
   report.gbuffer_bytes_per_pixel = f.gbuffer_bytes_per_pixel;
   report.accumulation_bytes_per_pixel = f.accumulation_bytes_per_pixel;
-  report.mib = targets.frame.mib() + shadow_mib(f);
+  report.mib = targets.frame.mib() + shadow_mib(f) + mirrors_mib(targets.mirrors);
   report.light_count = static_cast<int>(f.lights.size());
   report.light_total = f.light_total;
   return report;
@@ -68,12 +70,22 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   targets.reads.drop();
   targets.timers.next_frame();
   targets.drawn = resolved;
+  int mirrored_calls = 0;
+  if (resolved->mirrors.empty()) {
+    targets.mirrors = {};
+  } else {
+    const gl::PassScope scope(targets.timers, "mirrors");
+    mirrored_calls = draw_mirrored(*this, asked, *resolved, scene, targets.mirrors);
+  }
   Frame frame = frame_of(asked, scene, targets);
   upload_lights(frame);
   FrameReport report = report_of(*resolved, asked, targets);
+  report.draw_calls = mirrored_calls;
   for (const PassRow& pass : kPasses) {
-    if (!pass.needed(*resolved)) continue;
-    const gl::PassScope scope(targets.timers, pass.timer);
+    // In a mirror only what is lit is seen, and the frame around it is timed as one.
+    if (!pass.needed(*resolved) || (targets.cut.nested && pass.draw == draw_transparent)) continue;
+    std::optional<gl::PassScope> scope;
+    if (!targets.cut.nested) scope.emplace(targets.timers, pass.timer);
     report.draw_calls += pass.draw(frame);
   }
   return report;

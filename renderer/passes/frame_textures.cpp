@@ -24,8 +24,6 @@ bool draws_into(const Attachment& a, Pass pass, Shading shading) {
   return pass == Pass::combine && a.stores == Stores::depth && shading != Shading::deferred;
 }
 
-double mib_of(const gl::Texture& t) { return double(t.size.x) * t.size.y * row(t.format).bytes / (1 << 20); }
-
 }  // namespace
 
 FrameTextures::Samples FrameTextures::make_sampled(glm::ivec2 size, const std::vector<Attachment>& wanted) {
@@ -118,7 +116,7 @@ const gl::Framebuffer& FrameTextures::framebuffer(Pass pass) const { return fram
 
 double FrameTextures::mib() const {
   double sum = 0;
-  for (const gl::Texture& t : textures_) sum += mib_of(t);
+  for (const gl::Texture& t : textures_) sum += gl::mib_of(t);
   return sum;
 }
 

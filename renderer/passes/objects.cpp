@@ -124,7 +124,8 @@ static bool drawn_forward(const Frame& frame, const Material& m) {
   return m.alpha_mode == AlphaMode::blend && !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
 }
 
-static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm::dvec3& origin) {
+// `but`: an object that is left out, from 1; 0: none.
+static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm::dvec3& origin, int but) {
   std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;
   records.clear();
   std::vector<ObjectDraw> draws;
@@ -134,6 +135,8 @@ static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm
   for (const GpuScene::Batch& batch : frame.scene.batches()) {
     if (drawn_forward(frame, material_of(frame, batch)) != transparent) continue;
     std::vector<int> order = batch.instances;
+    std::erase(order, but - 1);
+    if (order.empty()) continue;
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
     if (!transparent) by_rank.push_back({rank(order.front()), {&batch, next, static_cast<int>(order.size())}});
     for (const int i : order) {
@@ -149,9 +152,34 @@ static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm
 }
 
 std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
-  return prepare(frame, transparent, frame.settings.camera.position);
+  return prepare(frame, transparent, frame.settings.camera.position, frame.targets().cut.object);
 }
-std::vector<ObjectDraw> prepare_casters(Frame& frame, const glm::dvec3& origin) { return prepare(frame, false, origin); }
+std::vector<ObjectDraw> prepare_casters(Frame& frame, const glm::dvec3& origin) {
+  return prepare(frame, false, origin, 0);
+}
+std::vector<ObjectDraw> prepare_object(Frame& frame, int object) {
+  std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;
+  records.clear();
+  append_record(frame, object - 1, frame.settings.camera.position, records);
+  upload_records(frame.targets().uploads.instance_data, records, "instance_data", "instances");
+  for (const GpuScene::Batch& batch : frame.scene.batches())
+    if (std::find(batch.instances.begin(), batch.instances.end(), object - 1) != batch.instances.end())
+      return {{&batch, 0, 1}};
+  return {};
+}
+
+// Objects behind a mirror's plane are cut away, but not what casts their shadows.
+static bool clips(const Frame& frame, const gl::Defines& defines) {
+  const auto holds = [&](const char* name) {
+    return std::any_of(defines.begin(), defines.end(), [&](const gl::Define& d) { return d.name == name; });
+  };
+  return frame.targets().cut.behind && holds("CLIP_PLANE") && !holds("SHADOW_MAP");
+}
+static void set_clip_plane(const Frame& frame, const gl::Program& program) {
+  const Plane& p = *frame.targets().cut.behind;
+  const glm::vec4 relative(p.normal, p.distance(frame.settings.camera.position));
+  glUniform4fv(program.uniform("clip_plane"), 1, glm::value_ptr(relative));
+}
 
 static gl::Cull cull_of(ObjectFaces faces, bool double_sided) {
   if (double_sided || faces == ObjectFaces::all) return gl::Cull::off;
@@ -163,6 +191,8 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
                  Corners corners, ObjectFaces faces) {
   if (draws.empty()) return 0;
   gl::bind_texture("instance_data", frame.targets().uploads.instance_data);
+  const bool clipped = clips(frame, defines);
+  if (clipped) glEnable(GL_CLIP_DISTANCE0);
   for (const ObjectDraw& draw : draws) {
     const Material& material = material_of(frame, *draw.batch);
     if (faces == ObjectFaces::culled && material.double_sided) continue;
@@ -172,6 +202,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     glUseProgram(program.id());
     bind_material(frame, program, material);
     if (set_uniforms) set_uniforms(program);
+    if (clipped) set_clip_plane(frame, program);
     glUniform1i(program.uniform("first_instance"), draw.first);
     gl::apply_cull(cull_of(faces, material.double_sided));
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
@@ -183,6 +214,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     glBindVertexArray(mesh.vertex_array.id());
     glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
   }
+  if (clipped) glDisable(GL_CLIP_DISTANCE0);
   return static_cast<int>(draws.size());
 }
 

@@ -16,6 +16,8 @@ struct ObjectDraw {
 // Writes the instance texture and says what to draw. Opaque: batches and their instances as draw-order says.
 // Transparent: one draw per instance, farthest first.
 std::vector<ObjectDraw> prepare_objects(Frame&, bool transparent);
+// One of them.
+std::vector<ObjectDraw> prepare_object(Frame&, int object);
 // Opaque ones, relative to another place of the world than the camera's.
 std::vector<ObjectDraw> prepare_casters(Frame&, const glm::dvec3& origin);
 

@@ -33,6 +33,7 @@ inline bool forward(const ResolvedFrame& f) { return f.shading == Shading::forwa
 inline bool gbuffer(const ResolvedFrame& f) { return f.shading != Shading::forward; }
 inline bool deferred(const ResolvedFrame& f) { return f.shading == Shading::deferred; }
 inline bool light_prepass(const ResolvedFrame& f) { return f.shading == Shading::light_prepass; }
+inline bool reflections(const ResolvedFrame& f) { return !f.mirrors.empty(); }
 inline bool edge_blur(const ResolvedFrame& f) { return f.settings.antialias == Antialias::edge_blur; }
 inline bool transparent(const ResolvedFrame& f) { return f.transparent_pass; }
 }  // namespace pass
@@ -45,6 +46,7 @@ inline constexpr PassRow kPasses[] = {
   {"lighting",    pass::gbuffer,       kMaterials | StoresSet{Stores::depth},      kLightSums | StoresSet{Stores::light_depth},      draw_light_sums},
   {"combine",     pass::deferred,      kMaterials | kLightSums | StoresSet{Stores::depth}, {Stores::lit},                            draw_combine},
   {"combine",     pass::light_prepass, kLightSums | StoresSet{Stores::depth},      {Stores::lit},                                    draw_materials_over_light},
+  {"reflections", pass::reflections,   {Stores::depth, Stores::lit},               {Stores::lit},                                    draw_reflections},
   {"antialias",   pass::edge_blur,     kMaterials | StoresSet{Stores::depth, Stores::lit}, {Stores::lit},                            draw_edge_blur},
   {"transparent", pass::transparent,   {Stores::depth, Stores::lit},               {},                                               draw_transparent},
 };

@@ -29,7 +29,11 @@ void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, const char* sa
 // -> draw calls
 int draw_shadow_maps(Frame&);
 double shadow_mib(const ResolvedFrame&);  // of the maps
-int draw_forward_frame(Frame&);           // background, then surfaces shaded as they are drawn
+// What mirrors show, before the frame that shows them; -> draw calls
+int draw_mirrored(Renderer&, const Settings&, const ResolvedFrame&, const GpuScene&, MirrorTargets&);
+double mirrors_mib(const MirrorTargets&);
+int draw_reflections(Frame&);    // onto the mirrors
+int draw_forward_frame(Frame&);  // background, then surfaces shaded as they are drawn
 int draw_geometry(Frame&);
 int draw_light_sums(Frame&);    // the lists of its method, then light
 void prepare_lighting(Frame&);  // what the lighting reads beside the G-buffer and the lights

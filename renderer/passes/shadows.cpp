@@ -60,19 +60,20 @@ Settings maps_settings(Settings s) {
 // Of the plan's maps, those whose tiles hold something else.
 std::vector<ShadowMap> maps_to_draw(const Frame& frame, const ShadowTargets& t) {
   const ShadowPlan& plan = frame.resolved.shadows;
-  const bool all = frame.settings.shadow.update == ShadowUpdate::each_frame || t.scene.lock() != frame.scene.shared_scene() ||
-                   t.drawn_as != maps_settings(frame.settings);
+  const bool all = frame.settings.shadow.update == ShadowUpdate::each_frame ||
+                   t.scene.lock() != frame.scene.shared_scene() || t.drawn_as != maps_settings(frame.settings);
   std::vector<ShadowMap> out;
   for (size_t k = 0; k < plan.maps.size(); ++k) {
     const ShadowMap& m = plan.maps[k];
-    const bool holds = k < t.held.size() && t.held[k].corner == m.corner &&
-                       t.held[k].clip_from_anchored == m.clip_from_anchored;
+    const bool holds =
+        k < t.held.size() && t.held[k].corner == m.corner && t.held[k].clip_from_anchored == m.clip_from_anchored;
     if (all || !holds) out.push_back(m);
   }
   return out;
 }
 
-int draw_map(const Frame& frame, const ShadowMap& m, const std::vector<ObjectDraw>& casters, const gl::Defines& defines) {
+int draw_map(const Frame& frame, const ShadowMap& m, const std::vector<ObjectDraw>& casters,
+             const gl::Defines& defines) {
   const ShadowPlan& plan = frame.resolved.shadows;
   glViewport(m.corner.x, m.corner.y, plan.map_texels, plan.map_texels);
   glScissor(m.corner.x, m.corner.y, plan.map_texels, plan.map_texels);

@@ -2,6 +2,7 @@
 // What one frame is drawn into and remembers until the next: textures, canvases beside them, what the CPU has uploaded,
 // timers and read-backs. Frames of different settings may share it in turn.
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "renderer/gl/buffer.h"
@@ -10,6 +11,7 @@
 #include "renderer/light/light_clusters.h"
 #include "renderer/light/shadow_maps.h"
 #include "renderer/passes/canvases.h"
+#include "renderer/reflection/mirrors.h"
 
 namespace gbl {
 
@@ -47,11 +49,33 @@ struct ShadowTargets {
   std::vector<ShadowMap> held;
 };
 
+struct Targets;
+
+// What a mirror's picture leaves out: the mirror, and what lies behind its plane.
+struct Cut {
+  bool nested = false;  // it is a picture within another frame, whose timer runs
+  int object = 0;       // from 1; 0: none
+  std::optional<Plane> behind;
+};
+
+// What mirrors show.
+struct MirrorTargets {
+  std::unique_ptr<Targets> flat_frame, side_frame;  // into which all of a kind are drawn in turn
+  std::vector<Canvas> flat;                         // of each flat mirror, as large as the frame, its columns reversed
+  Canvas sides;                                     // of the others: a row each, six squares a row
+  gl::Framebuffer onto_lit;
+  // What the squares hold, so that what has not changed is not drawn again:
+  std::weak_ptr<const Scene> scene;
+  std::vector<Settings> held;
+};
+
 struct Targets {
   FrameTextures frame;
   Canvases canvases;
   Uploads uploads;
   ShadowTargets shadows;
+  MirrorTargets mirrors;
+  Cut cut;
   gl::PassTimers timers;
   ReadBacks reads;
   std::shared_ptr<const ResolvedFrame> drawn;  // the frame drawn last; null before the first

@@ -4,7 +4,7 @@ namespace gbl {
 
 LightSight::LightSight(const Settings& s, const Scene& scene)
     : suns_only_(s.shadows == Shadows::sun), camera_(s.camera.position) {
-  if (s.shadows != Shadows::off) rays_.emplace(scene);
+  if (s.shadows != Shadows::off) rays_ = std::make_shared<const RayScene>(scene);
 }
 
 bool LightSight::sees(const TruthLight& l, const glm::dvec3& position, const SeenSurface& surface) const {

@@ -1,6 +1,6 @@
 #pragma once
 // Which lights a surface point sees, by rays in double: of those that cast shadows under these settings.
-#include <optional>
+#include <memory>
 
 #include "renderer/options/settings.h"
 #include "renderer/truth/ray_scene.h"
@@ -12,7 +12,8 @@ class LightSight {
  public:
   LightSight(const Settings&, const Scene&);  // the scene must outlive it
 
-  bool shadows() const { return rays_.has_value(); }  // is there any light that could be hidden?
+  bool shadows() const { return rays_ != nullptr; }               // is there any light that could be hidden?
+  std::shared_ptr<const RayScene> rays() const { return rays_; }  // null without shadows
   // Is nothing solid between the surface and the light? A shading normal that faces the light does not help where the
   // triangle itself is turned away: then the object hides it. position: relative to the camera.
   bool sees(const TruthLight&, const glm::dvec3& position, const SeenSurface&) const;
@@ -20,7 +21,7 @@ class LightSight {
  private:
   const bool suns_only_;
   const glm::dvec3 camera_;
-  std::optional<RayScene> rays_;
+  std::shared_ptr<const RayScene> rays_;
 };
 
 }  // namespace gbl

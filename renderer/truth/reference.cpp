@@ -38,7 +38,8 @@ Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std:
       texels_(std::move(texels)),
       geometry_(s, *scene_, std::move(store)),
       model_(s),
-      sight_(s, *scene_) {
+      sight_(s, *scene_),
+      mirrors_(settings_, *scene_, sight_.rays()) {
   for (const Light& l : true_lights(s, *scene_)) lights_.push_back({l, l.position - s.camera.position});
   truth_.size = s.size;
   const size_t n = truth_.pixels();
@@ -47,6 +48,7 @@ Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std:
   for (auto* list : {&truth_.lit, &truth_.diffuse, &truth_.specular, &truth_.albedo, &truth_.normal, &truth_.position})
     list->resize(n);
   if (sight_.shadows()) truth_.unshadowed.resize(n);
+  if (mirrors_.mirrors()) truth_.mirrored_light.resize(n);
   lit_pairs_of_row_.resize(static_cast<size_t>(s.size.y));
 }
 
@@ -54,6 +56,36 @@ void Reference::find_rivals(const std::atomic<bool>* cancel) {
   std::vector<SeenSurface> seen;
   for (const SeenTexel& t : texels_) seen.push_back(t.surface());
   truth_.rivals = rivals_of(settings_, *scene_, seen, cancel);
+}
+
+Reference::LightAt Reference::light_at(const TruthSurface& s, const SeenSurface& surface) const {
+  LightAt out;
+  for (const TruthLight& light : lights_) {
+    if (reaches(light, s.position)) ++out.lit_pairs;
+    const Reflected one = reflected(model_, s, light);
+    if (sight_.shadows()) out.unshadowed += s.albedo * one.diffuse + one.specular;
+    if (one.nothing() || !sight_.sees(light, s.position, surface)) continue;
+    out.sum.diffuse += one.diffuse;
+    out.sum.specular += one.specular;
+  }
+  return out;
+}
+
+// Once: what is mirrored mirrors nothing.
+void Reference::add_mirrored(size_t i, const TruthSurface& s) {
+  const glm::dvec3 share = fresnel(s.f0, std::max(glm::dot(s.normal, s.to_eye), 0.0));
+  const Ray ray = MirrorSight::mirrored_ray(s);
+  const std::optional<SeenTexel> seen = mirrors_.seen(ray, texels_[i].surface());
+  if (!seen) {
+    truth_.lit[i] += share * background_radiance(settings_, ray.direction);
+    return;
+  }
+  const SurfaceAt at = geometry_.at(ray, *seen);
+  const LightAt light = light_at(at.surface, seen->surface());
+  const glm::dvec3 of_lights = at.surface.albedo * light.sum.diffuse + light.sum.specular;
+  truth_.lit[i] += share * (settings_.ambient * at.ambient + at.emission + of_lights);
+  truth_.mirrored_light[i] = share * of_lights;
+  if (sight_.shadows()) truth_.unshadowed[i] += share * light.unshadowed;
 }
 
 void Reference::work_pixel(glm::ivec2 pixel) {
@@ -65,19 +97,10 @@ void Reference::work_pixel(glm::ivec2 pixel) {
   }
   const SurfaceAt at = geometry_.at(ray, texels_[i]);
   const TruthSurface& s = at.surface;
-  Reflected sum;
-  glm::dvec3 unshadowed(0);
-  uint64_t lit_pairs = 0;
-  for (const TruthLight& light : lights_) {
-    if (reaches(light, s.position)) ++lit_pairs;
-    const Reflected one = reflected(model_, s, light);
-    if (sight_.shadows()) unshadowed += s.albedo * one.diffuse + one.specular;
-    if (one.nothing() || !sight_.sees(light, s.position, texels_[i].surface())) continue;
-    sum.diffuse += one.diffuse;
-    sum.specular += one.specular;
-  }
+  const LightAt light = light_at(s, texels_[i].surface());
+  const Reflected& sum = light.sum;
   truth_.present[i] = 1;
-  if (sight_.shadows()) truth_.unshadowed[i] = unshadowed;
+  if (sight_.shadows()) truth_.unshadowed[i] = light.unshadowed;
   truth_.diffuse[i] = sum.diffuse;
   truth_.specular[i] = sum.specular;
   truth_.albedo[i] = s.albedo;
@@ -85,7 +108,8 @@ void Reference::work_pixel(glm::ivec2 pixel) {
   truth_.normal[i] = s.normal;
   truth_.position[i] = s.position;
   truth_.lit[i] = settings_.ambient * at.ambient + at.emission + s.albedo * sum.diffuse + sum.specular;
-  lit_pairs_of_row_[static_cast<size_t>(pixel.y)] += lit_pairs;
+  if (mirrors_.mirrors(texels_[i].surface())) add_mirrored(i, s);
+  lit_pairs_of_row_[static_cast<size_t>(pixel.y)] += light.lit_pairs;
 }
 
 void Reference::work_row(int y) {

@@ -7,6 +7,7 @@
 
 #include "renderer/frame/frame_lights.h"
 #include "renderer/truth/light_sight.h"
+#include "renderer/truth/mirror_sight.h"
 #include "renderer/truth/truth.h"
 #include "renderer/truth/truth_geometry.h"
 #include "renderer/truth/visible_triangles.h"
@@ -45,6 +46,13 @@ class Reference {
  private:
   void work_row(int y);
   void work_pixel(glm::ivec2 pixel);
+  struct LightAt {
+    Reflected sum;
+    glm::dvec3 unshadowed{0};
+    uint64_t lit_pairs = 0;
+  };
+  LightAt light_at(const TruthSurface&, const SeenSurface&) const;
+  void add_mirrored(size_t i, const TruthSurface&);
 
   Settings settings_;
   std::shared_ptr<const Scene> scene_;
@@ -52,6 +60,7 @@ class Reference {
   TruthGeometry geometry_;
   ShadingModelOf model_;
   LightSight sight_;
+  MirrorSight mirrors_;
   std::vector<TruthLight> lights_;
   Truth truth_;
   std::vector<uint64_t> lit_pairs_of_row_;

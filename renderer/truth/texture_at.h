@@ -13,6 +13,8 @@ struct TextureAt {
 
   // 0..1 as stored; white where there is no texture.
   glm::dvec4 nearest(const Scene&, const TextureUse&) const;
+  // The four around it by their distance, of the largest level; decoded from sRGB first where it is coded so.
+  glm::dvec4 linear(const Scene&, const TextureUse&, bool srgb) const;
 };
 
 // Is a masked material's triangle cut out there?

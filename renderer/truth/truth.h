@@ -33,9 +33,12 @@ struct Truth {
   std::vector<glm::dvec3> position;           // relative to the camera, world axes and units
   std::vector<Rival> rivals;                  // sorted
   std::vector<glm::dvec3> unshadowed;         // light if nothing hid any; empty: no light has a shadow
+  std::vector<glm::dvec3> mirrored_light;     // the lights' part of what is mirrored; empty: nothing is
 
   size_t pixels() const { return static_cast<size_t>(size.x) * static_cast<size_t>(size.y); }
-  glm::dvec3 light(size_t i) const { return albedo[i] * diffuse[i] + specular[i]; }  // without ambient and emission
+  glm::dvec3 light(size_t i) const {  // without ambient and emission
+    return albedo[i] * diffuse[i] + specular[i] + (mirrored_light.empty() ? glm::dvec3(0) : mirrored_light[i]);
+  }
 };
 
 // What a set-up made of it, as read back from its float targets. An empty list: not stored, so not judged.

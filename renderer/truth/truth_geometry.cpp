@@ -141,7 +141,7 @@ SurfaceAt TruthGeometry::at(const Ray& ray, const SeenTexel& texel) const {
   SurfaceAt out;
   TruthSurface& s = out.surface;
   s.position = weights.x * places[0] + weights.y * places[1] + weights.z * places[2];
-  s.to_eye = -glm::normalize(settings_.camera.orthographic() ? ray.direction : s.position);
+  s.to_eye = -glm::normalize(ray.origin == glm::dvec3(0) ? s.position : ray.direction);
   s.normal = shading_normal(placed, material, corners, weights, anticlockwise != placed.mirrored, texel.normal);
 
   TruthMaterial stored = material_at(material, corners, weights, texel);

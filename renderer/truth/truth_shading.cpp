@@ -52,11 +52,8 @@ Reflected ggx(const TruthSurface& s, const glm::dvec3& to_light, double n_dot_l)
   const double masking = n_dot_l * std::sqrt(square(n_dot_v) * (1 - alpha2) + alpha2) +
                          n_dot_v * std::sqrt(square(n_dot_l) * (1 - alpha2) + alpha2);
   const double visibility = 0.5 / std::max(masking, 1e-7);
-  const double grazing = fifth_power(1 - std::max(glm::dot(s.to_eye, half), 0.0));
-  // Below 2 % at normal incidence nothing shines at grazing angles either (Lagarde and de Rousiers 2014, 3.1.1).
-  const double f90 = std::min(50 * std::max({s.f0.x, s.f0.y, s.f0.z}), 1.0);
-  const glm::dvec3 fresnel = s.f0 + (f90 - s.f0) * grazing;
-  return {n_dot_l * (1.0 - fresnel), n_dot_l * glm::pi<double>() * distribution * visibility * fresnel};
+  const glm::dvec3 mirrored = fresnel(s.f0, std::max(glm::dot(s.to_eye, half), 0.0));
+  return {n_dot_l * (1.0 - mirrored), n_dot_l * glm::pi<double>() * distribution * visibility * mirrored};
 }
 
 Reflected reflected_of_unit(const ShadingModelOf& m, const TruthSurface& s, const glm::dvec3& to_light,
@@ -89,6 +86,13 @@ ShadingModelOf::ShadingModelOf(const Settings& s)
 double ShadingModelOf::exponent(double roughness) const {
   if (constant_exponent >= 0) return constant_exponent;
   return std::clamp(2 / std::max(square(square(roughness)), 1e-8) - 2, 1.0, 8192.0);
+}
+
+glm::dvec3 fresnel(const glm::dvec3& f0, double cosine) {
+  const double grazing = fifth_power(1 - cosine);
+  // Below 2 % at normal incidence nothing shines at grazing angles either (Lagarde and de Rousiers 2014, 3.1.1).
+  const double f90 = std::min(50 * std::max({f0.x, f0.y, f0.z}), 1.0);
+  return f0 + (f90 - f0) * grazing;
 }
 
 bool reaches(const TruthLight& l, const glm::dvec3& position) {

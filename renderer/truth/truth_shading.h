@@ -41,6 +41,9 @@ struct ShadingModelOf {
   double exponent(double roughness) const;
 };
 
+// Schlick 1994: what a surface reflects that is seen at an angle of this cosine.
+glm::dvec3 fresnel(const glm::dvec3& f0, double cosine);
+
 // Does the light reach the point at all: nearer than its range, inside its outer cone? Whatever the surface faces.
 bool reaches(const TruthLight&, const glm::dvec3& position);
 

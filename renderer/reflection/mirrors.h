@@ -1,0 +1,44 @@
+#pragma once
+// Which objects of a scene mirror it, and from where each must be looked at: a flat one from behind its plane, any other from
+// its middle towards six sides.
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderer/scene/camera.h"
+#include "renderer/scene/scene.h"
+
+namespace gbl {
+
+inline constexpr float kMirrorRoughness = 0.2f;  // up to which a reflection is taken for sharp
+inline constexpr size_t kMostMirrors = 8;        // that a frame draws; the reference knows no limit
+
+// Opaque, lit, and everywhere as smooth as that.
+bool is_mirror(const Material&);
+
+// Points p of the world with dot(normal, p) = offset; the normal is of length 1 and leads to the side that is seen.
+struct Plane {
+  glm::dvec3 normal{0, 1, 0};
+  double offset = 0;
+  double distance(const glm::dvec3& p) const { return glm::dot(normal, p) - offset; }
+};
+
+struct Mirror {
+  int object = 0;  // from 1, as SeenSurface counts
+  bool flat = false;
+  Plane plane;           // of a flat one
+  glm::dvec3 centre{0};  // of its box, in the world
+};
+
+// In the order of the scene's instances.
+std::vector<Mirror> mirrors_of(const Scene&);
+
+// The camera that sees, turned about its vertical axis, what this one sees in the mirror: columns run the other way, and no
+// triangle's winding is flipped.
+Camera mirrored(const Camera&, const Plane&);
+
+// A square view of one side, as shaders/cube.glsl chooses sides. Its outermost texels lie beyond the side's edge, so that a
+// filter finds its neighbours.
+Camera side_camera(const glm::dvec3& centre, int side, int texels, const Camera& like);
+double side_tangent(int texels);  // of half that view's angle
+
+}  // namespace gbl

@@ -1,0 +1,62 @@
+#include "renderer/truth/mirror_sight.h"
+
+#include "renderer/reflection/mirrors.h"
+#include "renderer/truth/texture_at.h"
+
+namespace gbl {
+namespace {
+
+const Material& material_of(const Scene& scene, int object) {
+  return scene.materials[static_cast<size_t>(scene.instances[static_cast<size_t>(object - 1)].material)];
+}
+
+bool has_mirror(const Scene& scene) {
+  for (size_t i = 0; i < scene.instances.size(); ++i)
+    if (is_mirror(material_of(scene, static_cast<int>(i) + 1))) return true;
+  return false;
+}
+
+}  // namespace
+
+SeenTexel texels_of(const SurfaceHit& hit, const Scene& scene, const Settings& s) {
+  const Instance& in = scene.instances[static_cast<size_t>(hit.surface.object - 1)];
+  const Mesh& mesh = scene.meshes[static_cast<size_t>(in.mesh)];
+  const Material& m = material_of(scene, hit.surface.object);
+  const TextureAt at(mesh, &mesh.indices[3 * static_cast<size_t>(hit.surface.triangle)], hit.weights);
+  const bool srgb = s.colour == Colour::srgb;
+  const glm::dvec4 rough_metal = at.linear(scene, m.roughness_texture, false);
+  const double occlusion = at.linear(scene, m.occlusion_texture, false).r;
+  SeenTexel out;
+  out.seen = {hit.surface.object, hit.surface.triangle, rough_metal.g, rough_metal.b};
+  out.base = at.linear(scene, m.base_colour_texture, srgb);
+  out.normal = glm::dvec4(glm::dvec3(at.linear(scene, m.normal_texture, false)), occlusion);
+  out.emission = at.linear(scene, m.emissive_texture, srgb);
+  out.specular = glm::dvec4(glm::dvec3(at.linear(scene, m.specular_colour_texture, srgb)),
+                            at.linear(scene, m.specular_texture, false).a);
+  return out;
+}
+
+MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<const RayScene> rays)
+    : settings_(s), scene_(scene) {
+  if (s.reflections == Reflections::off || !has_mirror(scene)) return;
+  rays_ = rays ? std::move(rays) : std::make_shared<const RayScene>(scene);
+}
+
+bool MirrorSight::mirrors(const SeenSurface& s) const { return rays_ && is_mirror(material_of(scene_, s.object)); }
+
+Ray MirrorSight::mirrored_ray(const TruthSurface& s) {
+  return {s.position, glm::normalize(2 * glm::dot(s.normal, s.to_eye) * s.normal - s.to_eye)};
+}
+
+std::optional<SeenTexel> MirrorSight::seen(const Ray& ray, const SeenSurface& from) const {
+  const glm::dvec3 place = ray.origin + settings_.camera.position;
+  RayPart part{place, ray.direction, rays_->least_distance(place), kEndless};
+  std::optional<SurfaceHit> hit = rays_->first_hit(part);
+  while (hit && hit->surface.object == from.object && hit->from_behind) {
+    part.from = hit->distance;
+    hit = rays_->first_hit(part);
+  }
+  return hit ? std::optional(texels_of(*hit, scene_, settings_)) : std::nullopt;
+}
+
+}  // namespace gbl

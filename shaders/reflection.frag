@@ -1,0 +1,33 @@
+// What an object mirrors, added to what it sends back of the lights: a picture from behind its plane, or six from its middle.
+#include "material.glsl"
+#include "shade.glsl"
+#include "cube.glsl"
+
+uniform sampler2D mirrored;
+#if !MIRROR_FLAT
+uniform mat3 side_from_world[6];  // view of each
+uniform vec4 side_place;          // x, y: of the first side's corner, in texels; z: texels to a side; w: 1 / tangent of half the angle
+#endif
+layout(location = 0) out vec4 radiance;
+
+#if !MIRROR_FLAT
+vec3 seen_along(vec3 direction) {
+  int side = cube_face(direction);
+  vec3 v = side_from_world[side] * direction;
+  vec2 within = (v.xy / -v.z * side_place.w * 0.5 + 0.5) * side_place.z;
+  vec2 at = side_place.xy + vec2(float(side) * side_place.z, 0.0) + clamp(within, vec2(0.5), vec2(side_place.z - 0.5));
+  return textureLod(mirrored, at / vec2(textureSize(mirrored, 0)), 0.0).rgb;
+}
+#endif
+
+void main() {
+  Surface s = material_surface(material_base());
+  vec3 to_eye = ray_forward.w > 0.5 ? -ray_forward.xyz : -normalize(s.position);
+#if MIRROR_FLAT
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 seen = texelFetch(mirrored, ivec2(textureSize(mirrored, 0).x - 1 - pixel.x, pixel.y), 0).rgb;
+#else
+  vec3 seen = seen_along(reflect(-to_eye, s.normal));
+#endif
+  radiance = vec4(F_Schlick(s.f0, max(dot(s.normal, to_eye), 0.0)) * seen, 0.0);
+}
