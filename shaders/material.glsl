@@ -33,10 +33,22 @@ vec2 uv_of(int map) { return (uv_transform[map] * vec3(uv_set[map] == 0 ? uv0 : 
 vec2 uv_of(int map) { return uv0; }
 #endif
 
-vec4 material_base() {
+#if REFRACTS
+uniform vec2 transmission;  // share that goes through, index of the air over that of the material
+#endif
+
+vec4 tint() {
   vec4 base = texture(base_colour_map, uv_of(BASE_COLOUR_MAP)) * base_colour * colour;
 #if ALBEDO_WHITE
   base.rgb = vec3(1.0);
+#endif
+  return base;
+}
+
+vec4 material_base() {
+  vec4 base = tint();
+#if REFRACTS
+  base.rgb *= 1.0 - transmission.x;  // the rest comes through: reflection.frag
 #endif
   return base;
 }

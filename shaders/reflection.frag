@@ -29,5 +29,12 @@ void main() {
 #else
   vec3 seen = seen_along(reflect(-to_eye, s.normal));
 #endif
-  radiance = vec4(F_Schlick(s.f0, max(dot(s.normal, to_eye), 0.0)) * seen, 0.0);
+  vec3 share = F_Schlick(s.f0, max(dot(s.normal, to_eye), 0.0));
+  vec3 sum = share * seen;
+#if REFRACTS && !MIRROR_FLAT
+  // Bent once: where the light enters. Where it leaves is not known here.
+  sum += (1.0 - share) * transmission.x * tint().rgb * seen_along(refract(-to_eye, s.normal, transmission.y));
+#endif
+  // What stood for it: ambient light on the gloss.
+  radiance = vec4(sum - shading.z * (s.ambient - s.occlusion * s.albedo), 0.0);
 }

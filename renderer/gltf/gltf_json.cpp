@@ -14,8 +14,9 @@ namespace {
 
 // Those a file may require: each is drawn, or changes nothing in what we draw.
 constexpr std::string_view kExtensions[] = {
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_ior",     "KHR_materials_specular",
-    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform",
+    "KHR_lights_punctual",    "KHR_materials_emissive_strength", "KHR_materials_ior",
+    "KHR_materials_specular", "KHR_materials_transmission",      "KHR_materials_unlit",
+    "KHR_mesh_quantization",  "KHR_texture_transform",
 };
 
 }  // namespace

@@ -106,11 +106,15 @@ constexpr Member kSpecular[] = {{"specularColorFactor", numbers, optional, 3},
                                 {"specularFactor", number},
                                 {"specularTexture", object, optional, 0, nullptr, &kUseSchema}};
 constexpr Schema kSpecularSchema{kSpecular, std::size(kSpecular)};
+constexpr Member kTransmission[] = {{"transmissionFactor", number},
+                                    {"transmissionTexture", object, optional, 0, nullptr, &kUseSchema}};
+constexpr Schema kTransmissionSchema{kTransmission, std::size(kTransmission)};
 constexpr Schema kNothingSchema{nullptr, 0};
 constexpr Member kMaterialExtensions[] = {
     {"KHR_materials_emissive_strength", object, optional, 0, nullptr, &kStrengthSchema},
     {"KHR_materials_ior", object, optional, 0, nullptr, &kIndexOfRefractionSchema},
     {"KHR_materials_specular", object, optional, 0, nullptr, &kSpecularSchema},
+    {"KHR_materials_transmission", object, optional, 0, nullptr, &kTransmissionSchema},
     {"KHR_materials_unlit", object, optional, 0, nullptr, &kNothingSchema}};
 constexpr Schema kMaterialExtensionsSchema{kMaterialExtensions, std::size(kMaterialExtensions)};
 constexpr Member kMaterial[] = {{"alphaCutoff", number},

@@ -65,7 +65,8 @@ gl::Defines material_defines(const Settings& s, const Material& m) {
   return {{"NORMAL_MAP", s.normal_map == NormalMap::on && m.normal_texture.texture != kNoTexture},
           {"ALBEDO_WHITE", s.albedo == AlbedoSource::white},
           {"ALPHA_MASK", m.alpha_mode == AlphaMode::mask},
-          {"BLENDED", m.alpha_mode == AlphaMode::blend},
+          {"BLENDED", blends(m, s.reflections == Reflections::on)},
+          {"REFRACTS", s.reflections == Reflections::on && refracts(m)},
           {"UNLIT", m.unlit},
           {"SPECULAR", !reflects_as_common(m)},
           {"UV_TRANSFORMS", !plain_uvs(m)}};
@@ -86,6 +87,8 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
   glUniform4fv(program.find_uniform("factors"), 1, glm::value_ptr(factors));
   glUniform3fv(program.find_uniform("emissive"), 1, glm::value_ptr(m.emissive));
   glUniform1f(program.find_uniform("alpha_cutoff"), m.alpha_cutoff);
+  if (frame.settings.reflections == Reflections::on && refracts(m))
+    glUniform2f(program.find_uniform("transmission"), m.transmission, 1 / std::max(m.refraction_index, 1.0f));
   if (!reflects_as_common(m)) {
     gl::bind_texture("specular_map", scene.data_texture(m.specular_texture.texture));
     gl::bind_texture("specular_colour_map", scene.colour_texture(m.specular_colour_texture.texture, colour));
@@ -121,7 +124,8 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
 }  // namespace
 
 static bool drawn_forward(const Frame& frame, const Material& m) {
-  return m.alpha_mode == AlphaMode::blend && !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
+  return blends(m, frame.settings.reflections == Reflections::on) &&
+         !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
 }
 
 // `but`: an object that is left out, from 1; 0: none.
@@ -155,7 +159,13 @@ std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
   return prepare(frame, transparent, frame.settings.camera.position, frame.targets().cut.object);
 }
 std::vector<ObjectDraw> prepare_casters(Frame& frame, const glm::dvec3& origin) {
-  return prepare(frame, false, origin, 0);
+  std::vector<ObjectDraw> draws = prepare(frame, false, origin, 0);
+  // Clear ones hide nothing, even where they are stored.
+  std::erase_if(draws, [&](const ObjectDraw& d) {
+    return material_of(frame, *d.batch).alpha_mode == AlphaMode::blend &&
+           !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
+  });
+  return draws;
 }
 std::vector<ObjectDraw> prepare_object(Frame& frame, int object) {
   std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;

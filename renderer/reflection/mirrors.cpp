@@ -42,10 +42,13 @@ glm::dvec3 centre_of(const Mesh& mesh, const glm::dmat4& world_from_object) {
 
 }  // namespace
 
-bool is_mirror(const Material& m) {
-  return m.alpha_mode == AlphaMode::opaque && !m.unlit && m.roughness <= kMirrorRoughness &&
-         m.roughness_texture.texture == kNoTexture;
+static bool smooth(const Material& m) {
+  return !m.unlit && m.roughness <= kMirrorRoughness && m.roughness_texture.texture == kNoTexture;
 }
+
+bool refracts(const Material& m) { return smooth(m) && m.transmission > 0 && m.alpha_mode != AlphaMode::mask; }
+
+bool is_mirror(const Material& m) { return (smooth(m) && m.alpha_mode == AlphaMode::opaque) || refracts(m); }
 
 std::vector<Mirror> mirrors_of(const Scene& scene) {
   std::vector<Mirror> out;
@@ -57,7 +60,7 @@ std::vector<Mirror> mirrors_of(const Scene& scene) {
       continue;
     Mirror m{.object = static_cast<int>(i) + 1, .centre = centre_of(mesh, in.world_from_object)};
     const std::optional<Plane> plane = plane_of(mesh);
-    m.flat = plane && material.normal_texture.texture == kNoTexture && !material.double_sided;
+    m.flat = plane && material.normal_texture.texture == kNoTexture && !material.double_sided && !refracts(material);
     if (m.flat) m.plane = moved(*plane, in.world_from_object);
     out.push_back(m);
   }

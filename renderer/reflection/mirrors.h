@@ -12,7 +12,8 @@ namespace gbl {
 inline constexpr float kMirrorRoughness = 0.2f;  // up to which a reflection is taken for sharp
 inline constexpr size_t kMostMirrors = 8;        // that a frame draws; the reference knows no limit
 
-// Opaque, lit, and everywhere as smooth as that.
+// Lit, and everywhere as smooth as that: what is opaque mirrors the scene, what is clear refracts it, too.
+bool refracts(const Material&);
 bool is_mirror(const Material&);
 
 // Points p of the world with dot(normal, p) = offset; the normal is of length 1 and leads to the side that is seen.

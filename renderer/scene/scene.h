@@ -94,8 +94,14 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;  // of mask
   bool double_sided = false;
-  bool unlit = false;  // shown as it is, lit by nothing
+  bool unlit = false;      // shown as it is, lit by nothing
+  float transmission = 0;  // share of the light that does not bounce off but goes through (KHR_materials_transmission)
 };
+
+// Drawn over the lit picture, and stored in no G-buffer. Clear materials are stored where they refract.
+inline bool blends(const Material& m, bool refraction) {
+  return m.alpha_mode == AlphaMode::blend && !(refraction && m.transmission > 0);
+}
 
 // Each texture that a material reads, in the order of shaders/shared.h.
 template <class M>  // Material, const or not

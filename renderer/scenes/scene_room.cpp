@@ -47,9 +47,11 @@ RoomMaterials add_materials(Scene& scene) {
   m.wood = add(scene, wood);
   m.mirror = add(scene, {.name = "mirror", .base_colour = {0.92f, 0.94f, 0.95f, 1}, .roughness = 0.03f, .metal = 1});
   m.chrome = add(scene, {.name = "chrome", .base_colour = {0.78f, 0.78f, 0.8f, 1}, .roughness = 0.16f, .metal = 1});
-  m.glass = add(
-      scene,
-      {.name = "glass", .base_colour = {0.55f, 0.85f, 0.9f, 0.3f}, .roughness = 0.06f, .alpha_mode = AlphaMode::blend});
+  m.glass = add(scene, {.name = "glass",
+                        .base_colour = {0.55f, 0.85f, 0.9f, 0.3f},
+                        .roughness = 0.06f,
+                        .alpha_mode = AlphaMode::blend,
+                        .transmission = 1});
   m.iron = add(scene, {.name = "black iron", .base_colour = {0.03f, 0.03f, 0.035f, 1}, .roughness = 0.4f});
   m.ceramic = add(scene, {.name = "glazed ceramic", .base_colour = {0.05f, 0.28f, 0.3f, 1}, .roughness = 0.2f});
   m.sign = add(

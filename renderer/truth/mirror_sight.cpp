@@ -10,12 +10,6 @@ const Material& material_of(const Scene& scene, int object) {
   return scene.materials[static_cast<size_t>(scene.instances[static_cast<size_t>(object - 1)].material)];
 }
 
-bool has_mirror(const Scene& scene) {
-  for (size_t i = 0; i < scene.instances.size(); ++i)
-    if (is_mirror(material_of(scene, static_cast<int>(i) + 1))) return true;
-  return false;
-}
-
 }  // namespace
 
 SeenTexel texels_of(const SurfaceHit& hit, const Scene& scene, const Settings& s) {
@@ -38,14 +32,51 @@ SeenTexel texels_of(const SurfaceHit& hit, const Scene& scene, const Settings& s
 
 MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<const RayScene> rays)
     : settings_(s), scene_(scene) {
-  if (s.reflections == Reflections::off || !has_mirror(scene)) return;
-  rays_ = rays ? std::move(rays) : std::make_shared<const RayScene>(scene);
+  if (s.reflections == Reflections::off) return;
+  bool any = false;
+  for (int object = 1; object <= static_cast<int>(scene.instances.size()); ++object) {
+    const Material& m = material_of(scene, object);
+    any |= is_mirror(m);
+    if (refracts(m)) within_.try_emplace(object, scene, object);
+  }
+  if (any) rays_ = rays ? std::move(rays) : std::make_shared<const RayScene>(scene);
 }
 
 bool MirrorSight::mirrors(const SeenSurface& s) const { return rays_ && is_mirror(material_of(scene_, s.object)); }
 
 Ray MirrorSight::mirrored_ray(const TruthSurface& s) {
   return {s.position, glm::normalize(2 * glm::dot(s.normal, s.to_eye) * s.normal - s.to_eye)};
+}
+
+glm::dvec3 MirrorSight::normal_at(const SurfaceHit& hit) const {
+  const Instance& in = scene_.instances[static_cast<size_t>(hit.surface.object - 1)];
+  const Mesh& mesh = scene_.meshes[static_cast<size_t>(in.mesh)];
+  glm::dvec3 n(0);
+  for (size_t k = 0; k < 3; ++k)
+    n += hit.weights[static_cast<int>(k)] *
+         glm::dvec3(mesh.vertices[mesh.indices[3 * static_cast<size_t>(hit.surface.triangle) + k]].normal);
+  return glm::normalize(glm::transpose(glm::inverse(glm::dmat3(in.world_from_object))) * n);
+}
+
+Through MirrorSight::refracted_ray(const TruthSurface& s, const SeenSurface& surface) const {
+  const double index = std::max(double(material_of(scene_, surface.object).refraction_index), 1.0);
+  const RayScene& own = within_.at(surface.object);
+  glm::dvec3 place = s.position + settings_.camera.position;
+  glm::dvec3 direction = glm::refract(-s.to_eye, s.normal, 1 / index);
+  for (int k = 0; k < kMostWithin; ++k) {
+    const auto hit = own.first_hit({place, direction, own.least_distance(place), kEndless});
+    if (!hit) return {{place - settings_.camera.position, direction}};  // not closed: as a thin sheet
+    place += hit->distance * direction;
+    glm::dvec3 inwards = normal_at(*hit);
+    if (glm::dot(inwards, direction) > 0) inwards = -inwards;
+    const glm::dvec3 out = glm::refract(direction, inwards, index);
+    if (out != glm::dvec3(0)) {
+      const double lost = fresnel(glm::dvec3(reflectance_of_index(index)), glm::dot(-inwards, out)).x;
+      return {{place - settings_.camera.position, out}, 1 - lost};
+    }
+    direction = glm::reflect(direction, inwards);
+  }
+  return {{place - settings_.camera.position, direction}, 0};
 }
 
 std::optional<SeenTexel> MirrorSight::seen(const Ray& ray, const SeenSurface& from) const {

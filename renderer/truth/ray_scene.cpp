@@ -32,21 +32,29 @@ double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v
 
 RayScene::RayScene(const Scene& scene) : scene_(scene) {
   for (const Mesh& m : scene.meshes) meshes_.push_back(tree_of(m));
-  std::vector<Bounds> boxes;
-  for (size_t i = 0; i < scene.instances.size(); ++i) {
-    const Instance& in = scene.instances[i];
-    const Mesh& mesh = scene.meshes[static_cast<size_t>(in.mesh)];
-    const Material& material = scene.materials[static_cast<size_t>(in.material)];
-    const double volume = glm::determinant(glm::dmat3(in.world_from_object));
-    // Flat: no side of it has an area, and nothing leads back to the object.
-    if (material.alpha_mode == AlphaMode::blend || mesh.indices.size() < 3 || volume == 0) continue;
-    const Bvh& triangles = meshes_[static_cast<size_t>(in.mesh)];
-    placed_.push_back(
-        {&mesh, &triangles, &material, glm::inverse(in.world_from_object), volume < 0, static_cast<int>(i) + 1});
-    boxes.push_back(moved(triangles.bounds(), in.world_from_object));
-    largest_coordinate_ = std::max({largest_coordinate_, largest(boxes.back().min), largest(boxes.back().max)});
-  }
-  instances_ = Bvh(boxes);
+  for (size_t i = 0; i < scene.instances.size(); ++i)
+    if (scene.materials[static_cast<size_t>(scene.instances[i].material)].alpha_mode != AlphaMode::blend) place(i);
+  instances_ = Bvh(boxes_);
+}
+
+RayScene::RayScene(const Scene& scene, int object) : scene_(scene), meshes_(scene.meshes.size()) {
+  const auto mesh = static_cast<size_t>(scene.instances[static_cast<size_t>(object - 1)].mesh);
+  meshes_[mesh] = tree_of(scene.meshes[mesh]);
+  place(static_cast<size_t>(object - 1));
+  instances_ = Bvh(boxes_);
+}
+
+void RayScene::place(size_t instance) {
+  const Instance& in = scene_.instances[instance];
+  const Mesh& mesh = scene_.meshes[static_cast<size_t>(in.mesh)];
+  const double volume = glm::determinant(glm::dmat3(in.world_from_object));
+  // Flat: no side of it has an area, and nothing leads back to the object.
+  if (mesh.indices.size() < 3 || volume == 0) return;
+  const Bvh& triangles = meshes_[static_cast<size_t>(in.mesh)];
+  placed_.push_back({&mesh, &triangles, &scene_.materials[static_cast<size_t>(in.material)],
+                     glm::inverse(in.world_from_object), volume < 0, static_cast<int>(instance) + 1});
+  boxes_.push_back(moved(triangles.bounds(), in.world_from_object));
+  largest_coordinate_ = std::max({largest_coordinate_, largest(boxes_.back().min), largest(boxes_.back().max)});
 }
 
 template <class Use>

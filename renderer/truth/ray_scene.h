@@ -18,7 +18,8 @@ struct SurfaceHit {
 
 class RayScene {
  public:
-  explicit RayScene(const Scene&);  // which must outlive it
+  explicit RayScene(const Scene&);     // which must outlive it
+  RayScene(const Scene&, int object);  // one of its objects alone, from 1, clear or not
 
   // The nearest within the part; world units, whatever side is met.
   std::optional<SurfaceHit> first_hit(const RayPart&) const;
@@ -39,6 +40,7 @@ class RayScene {
     bool mirrored;
     int object;  // as SeenSurface counts
   };
+  void place(size_t instance);
   template <class Use>  // bool use(SurfaceHit, RayPart&): true: no more
   bool along(const RayPart&, Use) const;
 
@@ -46,7 +48,8 @@ class RayScene {
   double largest_coordinate_ = 0;
   std::vector<Bvh> meshes_;
   std::vector<Placed> placed_;
-  Bvh instances_;  // over placed_
+  std::vector<Bounds> boxes_;  // of placed_
+  Bvh instances_;              // over placed_
 };
 
 }  // namespace gbl

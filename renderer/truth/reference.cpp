@@ -72,20 +72,29 @@ Reference::LightAt Reference::light_at(const TruthSurface& s, const SeenSurface&
 }
 
 // Once: what is mirrored mirrors nothing.
-void Reference::add_mirrored(size_t i, const TruthSurface& s) {
-  const glm::dvec3 share = fresnel(s.f0, std::max(glm::dot(s.normal, s.to_eye), 0.0));
-  const Ray ray = MirrorSight::mirrored_ray(s);
-  const std::optional<SeenTexel> seen = mirrors_.seen(ray, texels_[i].surface());
-  if (!seen) {
-    truth_.lit[i] += share * background_radiance(settings_, ray.direction);
-    return;
-  }
+Reference::Seen Reference::seen_along(const Ray& ray, const SeenSurface& from) const {
+  const std::optional<SeenTexel> seen = mirrors_.seen(ray, from);
+  if (!seen) return {background_radiance(settings_, ray.direction)};
   const SurfaceAt at = geometry_.at(ray, *seen);
   const LightAt light = light_at(at.surface, seen->surface());
   const glm::dvec3 of_lights = at.surface.albedo * light.sum.diffuse + light.sum.specular;
-  truth_.lit[i] += share * (settings_.ambient * at.ambient + at.emission + of_lights);
-  truth_.mirrored_light[i] = share * of_lights;
-  if (sight_.shadows()) truth_.unshadowed[i] += share * light.unshadowed;
+  return {settings_.ambient * at.ambient + at.emission + of_lights, of_lights, light.unshadowed};
+}
+
+void Reference::add_mirrored(size_t i, const SurfaceAt& at) {
+  const TruthSurface& s = at.surface;
+  const SeenSurface surface = texels_[i].surface();
+  const auto add = [&](const glm::dvec3& share, const Seen& seen) {
+    truth_.lit[i] += share * seen.all;
+    truth_.mirrored_light[i] += share * seen.of_lights;
+    if (sight_.shadows()) truth_.unshadowed[i] += share * seen.unshadowed;
+  };
+  const glm::dvec3 mirrored = fresnel(s.f0, std::max(glm::dot(s.normal, s.to_eye), 0.0));
+  truth_.lit[i] -= settings_.ambient * at.gloss;
+  add(mirrored, seen_along(MirrorSight::mirrored_ray(s), surface));
+  if (at.through == glm::dvec3(0)) return;
+  const Through through = mirrors_.refracted_ray(s, surface);
+  add((1.0 - mirrored) * at.through * through.share, seen_along(through.ray, surface));
 }
 
 void Reference::work_pixel(glm::ivec2 pixel) {
@@ -108,7 +117,7 @@ void Reference::work_pixel(glm::ivec2 pixel) {
   truth_.normal[i] = s.normal;
   truth_.position[i] = s.position;
   truth_.lit[i] = settings_.ambient * at.ambient + at.emission + s.albedo * sum.diffuse + sum.specular;
-  if (mirrors_.mirrors(texels_[i].surface())) add_mirrored(i, s);
+  if (mirrors_.mirrors(texels_[i].surface())) add_mirrored(i, at);
   lit_pairs_of_row_[static_cast<size_t>(pixel.y)] += light.lit_pairs;
 }
 

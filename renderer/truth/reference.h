@@ -52,7 +52,11 @@ class Reference {
     uint64_t lit_pairs = 0;
   };
   LightAt light_at(const TruthSurface&, const SeenSurface&) const;
-  void add_mirrored(size_t i, const TruthSurface&);
+  struct Seen {
+    glm::dvec3 all{0}, of_lights{0}, unshadowed{0};  // radiance
+  };
+  Seen seen_along(const Ray&, const SeenSurface& from) const;
+  void add_mirrored(size_t i, const SurfaceAt&);
 
   Settings settings_;
   std::shared_ptr<const Scene> scene_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/picture/srgb.h"
+#include "renderer/reflection/mirrors.h"
 
 namespace gbl {
 namespace {
@@ -110,6 +111,10 @@ TruthMaterial TruthGeometry::material_at(const Material& m, const Vertex* const 
   const glm::dvec3 vertex_colour = mixed(corners, weights, [](const Vertex& v) { return glm::dvec3(v.colour); });
   out.base = glm::dvec3(texel.base) * colour_factor(glm::dvec3(m.base_colour), settings_.colour) * vertex_colour;
   if (settings_.albedo == AlbedoSource::white) out.base = glm::dvec3(1);
+  if (settings_.reflections == Reflections::on && refracts(m)) {
+    out.through = double(m.transmission) * out.base;
+    out.base *= 1 - double(m.transmission);
+  }
   out.metal = double(texel.seen.w) * m.metal;
   out.roughness = double(texel.seen.z) * m.roughness;
   const bool occluded = m.occlusion_texture.texture != kNoTexture;
@@ -157,6 +162,8 @@ SurfaceAt TruthGeometry::at(const Ray& ray, const SeenTexel& texel) const {
   s.f0 = glm::mix(stored.dielectric, stored.base, stored.metal);
   // Ambient light has no direction: GGX sends it back by albedo and F0, the classic models by the base colour.
   out.ambient = stored.occlusion * (model_.model == ShadingModel::ggx ? s.albedo + s.f0 : stored.base);
+  out.gloss = out.ambient - stored.occlusion * s.albedo;
+  out.through = stored.through;
   return out;
 }
 

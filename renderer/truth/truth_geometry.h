@@ -41,11 +41,14 @@ struct TruthMaterial {
   glm::dvec3 dielectric{kCommonReflectance};  // what it reflects where it is no metal
   glm::dvec3 emission{0};                     // radiance
   bool unlit = false;
+  glm::dvec3 through{0};  // share of light that goes through
 };
 
 struct SurfaceAt {
   TruthSurface surface;
   glm::dvec3 ambient{0};   // share of ambient light that is sent back
+  glm::dvec3 gloss{0};     // of that, what a mirror shows instead
+  glm::dvec3 through{0};   // share of light that goes through, where it is not reflected
   glm::dvec3 emission{0};  // radiance
 };
 

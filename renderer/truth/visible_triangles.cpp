@@ -75,7 +75,8 @@ class Band {
     const Instance& placed = scene_.instances[index];
     const Mesh& mesh = scene_.meshes[static_cast<size_t>(placed.mesh)];
     const Material& material = scene_.materials[static_cast<size_t>(placed.material)];
-    if (material.alpha_mode == AlphaMode::blend) return;  // never stored, so never seen by a G-buffer
+    if (blends(material, settings_.reflections == Reflections::on))
+      return;  // never stored, so never seen by a G-buffer
     glm::dmat4 relative_from_object = placed.world_from_object;
     relative_from_object[3] -= glm::dvec4(settings_.camera.position, 0);
     const bool mirrored = glm::determinant(glm::dmat3(relative_from_object)) < 0;

@@ -30,8 +30,8 @@ const Case kRefused[] = {
     {"no asset", [](auto& f) { f.doc.erase("asset"); }, "no 'asset' in it"},
     {"extension", [](auto& f) { f.doc["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
      "it requires the extension KHR_draco_mesh_compression; export it without; supported: KHR_lights_punctual, "
-     "KHR_materials_emissive_strength, KHR_materials_ior, KHR_materials_specular, KHR_materials_unlit, "
-     "KHR_mesh_quantization, KHR_texture_transform"},
+     "KHR_materials_emissive_strength, KHR_materials_ior, KHR_materials_specular, "
+     "KHR_materials_transmission, KHR_materials_unlit, KHR_mesh_quantization, KHR_texture_transform"},
     {"no meshes", [](auto& f) { f.doc.erase("meshes"); }, "nothing drawable"},
     {"no scene nodes", [](auto& f) { f.doc["scenes"][0].erase("nodes"); }, "nothing drawable in it; give a model"},
     {"list", [](auto& f) { f.doc["meshes"] = 3; }, "'meshes' is not a list"},
