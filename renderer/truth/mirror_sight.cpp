@@ -10,25 +10,16 @@ const Material& material_of(const Scene& scene, int object) {
   return scene.materials[static_cast<size_t>(scene.instances[static_cast<size_t>(object - 1)].material)];
 }
 
-}  // namespace
-
-SeenTexel texels_of(const SurfaceHit& hit, const Scene& scene, const Settings& s) {
-  const Instance& in = scene.instances[static_cast<size_t>(hit.surface.object - 1)];
-  const Mesh& mesh = scene.meshes[static_cast<size_t>(in.mesh)];
-  const Material& m = material_of(scene, hit.surface.object);
-  const TextureAt at(mesh, &mesh.indices[3 * static_cast<size_t>(hit.surface.triangle)], hit.weights);
-  const bool srgb = s.colour == Colour::srgb;
-  const glm::dvec4 rough_metal = at.linear(scene, m.roughness_texture, false);
-  const double occlusion = at.linear(scene, m.occlusion_texture, false).r;
-  SeenTexel out;
-  out.seen = {hit.surface.object, hit.surface.triangle, rough_metal.g, rough_metal.b};
-  out.base = at.linear(scene, m.base_colour_texture, srgb);
-  out.normal = glm::dvec4(glm::dvec3(at.linear(scene, m.normal_texture, false)), occlusion);
-  out.emission = at.linear(scene, m.emissive_texture, srgb);
-  out.specular = glm::dvec4(glm::dvec3(at.linear(scene, m.specular_colour_texture, srgb)),
-                            at.linear(scene, m.specular_texture, false).a);
-  return out;
+// Weights of the corners where a ray meets the triangle's plane, inside or not (Moeller and Trumbore 1997).
+glm::dvec3 weights_on_plane(const Ray& ray, const glm::dvec3 (&c)[3]) {
+  const glm::dvec3 e1 = c[1] - c[0], e2 = c[2] - c[0], from = ray.origin - c[0];
+  const glm::dvec3 p = glm::cross(ray.direction, e2), q = glm::cross(from, e1);
+  const double determinant = glm::dot(e1, p);
+  const double u = glm::dot(from, p) / determinant, v = glm::dot(ray.direction, q) / determinant;
+  return {1 - u - v, u, v};
 }
+
+}  // namespace
 
 MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<const RayScene> rays)
     : settings_(s), scene_(scene) {
@@ -39,13 +30,59 @@ MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<
     any |= is_mirror(m);
     if (refracts(m)) within_.try_emplace(object, scene, object);
   }
-  if (any) rays_ = rays ? std::move(rays) : std::make_shared<const RayScene>(scene);
+  if (!any) return;
+  rays_ = rays ? std::move(rays) : std::make_shared<const RayScene>(scene);
+  textures_.emplace(scene);
 }
 
 bool MirrorSight::mirrors(const SeenSurface& s) const { return rays_ && is_mirror(material_of(scene_, s.object)); }
 
-Ray MirrorSight::mirrored_ray(const TruthSurface& s) {
-  return {s.position, glm::normalize(2 * glm::dot(s.normal, s.to_eye) * s.normal - s.to_eye)};
+// A mirror as flat as its tangent plane: exact for the footprint of a flat one.
+RayBundle MirrorSight::mirrored_rays(const TruthSurface& s, glm::ivec2 pixel) const {
+  const auto next = [&](glm::ivec2 by) -> Ray {
+    const Ray r = pixel_ray(settings_.camera, settings_.size, pixel + by);
+    const double along = glm::dot(s.normal, s.position - r.origin) / glm::dot(s.normal, r.direction);
+    return {r.origin + along * r.direction, glm::reflect(r.direction, s.normal)};
+  };
+  return {{s.position, glm::normalize(glm::reflect(-s.to_eye, s.normal))}, next({1, 0}), next({0, 1})};
+}
+
+RayBundle MirrorSight::spread(const Ray& ray, double distance) const {
+  const Ray middle = pixel_ray(settings_.camera, settings_.size, {0, 0}),
+            next = pixel_ray(settings_.camera, settings_.size, {1, 0});
+  const double wide = settings_.camera.orthographic() ? 0 : glm::length(next.direction - middle.direction);
+  const double start = settings_.camera.orthographic() ? glm::length(next.origin - middle.origin) : wide * distance;
+  const glm::dvec3 other = std::abs(ray.direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 u = glm::normalize(glm::cross(ray.direction, other)), v = glm::cross(ray.direction, u);
+  const auto aside = [&](const glm::dvec3& by) { return Ray{ray.origin + start * by, ray.direction + wide * by}; };
+  return {ray, aside(u), aside(v)};
+}
+
+SeenTexel MirrorSight::texels_of(const SurfaceHit& hit, const RayBundle& rays) const {
+  const Instance& in = scene_.instances[static_cast<size_t>(hit.surface.object - 1)];
+  const Mesh& mesh = scene_.meshes[static_cast<size_t>(in.mesh)];
+  const Material& m = material_of(scene_, hit.surface.object);
+  const uint32_t* corner = &mesh.indices[3 * static_cast<size_t>(hit.surface.triangle)];
+  glm::dmat4 relative_from_object = in.world_from_object;
+  relative_from_object[3] -= glm::dvec4(settings_.camera.position, 0);
+  glm::dvec3 places[3];
+  for (size_t k = 0; k < 3; ++k)
+    places[k] = relative_from_object * glm::dvec4(glm::dvec3(mesh.vertices[corner[k]].position), 1);
+  const TextureAt at(mesh, corner, hit.weights), beside(mesh, corner, weights_on_plane(rays.beside, places)),
+      below(mesh, corner, weights_on_plane(rays.below, places));
+  const auto read = [&](const TextureUse& use, bool srgb) {
+    const glm::dvec2 uv = at.uv_of(use);
+    return textures_->at(use.texture, srgb, uv, beside.uv_of(use) - uv, below.uv_of(use) - uv);
+  };
+  const bool srgb = settings_.colour == Colour::srgb;
+  const glm::dvec4 rough_metal = read(m.roughness_texture, false);
+  SeenTexel out;
+  out.seen = {hit.surface.object, hit.surface.triangle, rough_metal.g, rough_metal.b};
+  out.base = read(m.base_colour_texture, srgb);
+  out.normal = glm::dvec4(glm::dvec3(read(m.normal_texture, false)), read(m.occlusion_texture, false).r);
+  out.emission = read(m.emissive_texture, srgb);
+  out.specular = glm::dvec4(glm::dvec3(read(m.specular_colour_texture, srgb)), read(m.specular_texture, false).a);
+  return out;
 }
 
 glm::dvec3 MirrorSight::normal_at(const SurfaceHit& hit) const {
@@ -58,28 +95,31 @@ glm::dvec3 MirrorSight::normal_at(const SurfaceHit& hit) const {
   return glm::normalize(glm::transpose(glm::inverse(glm::dmat3(in.world_from_object))) * n);
 }
 
-Through MirrorSight::refracted_ray(const TruthSurface& s, const SeenSurface& surface) const {
+Through MirrorSight::refracted_rays(const TruthSurface& s, const SeenSurface& surface) const {
   const double index = std::max(double(material_of(scene_, surface.object).refraction_index), 1.0);
   const RayScene& own = within_.at(surface.object);
   glm::dvec3 place = s.position + settings_.camera.position;
+  double come = glm::length(s.position);
+  const auto bundle = [&](const glm::dvec3& out) { return spread({place - settings_.camera.position, out}, come); };
   glm::dvec3 direction = glm::refract(-s.to_eye, s.normal, 1 / index);
   for (int k = 0; k < kMostWithin; ++k) {
     const auto hit = own.first_hit({place, direction, own.least_distance(place), kEndless});
-    if (!hit) return {{place - settings_.camera.position, direction}};  // not closed: as a thin sheet
-    place += hit->distance * direction;
+    if (!hit) return {bundle(direction)};  // not closed: as a thin sheet
+    place += hit->distance * direction, come += hit->distance;
     glm::dvec3 inwards = normal_at(*hit);
     if (glm::dot(inwards, direction) > 0) inwards = -inwards;
     const glm::dvec3 out = glm::refract(direction, inwards, index);
     if (out != glm::dvec3(0)) {
       const double lost = fresnel(glm::dvec3(reflectance_of_index(index)), glm::dot(-inwards, out)).x;
-      return {{place - settings_.camera.position, out}, 1 - lost};
+      return {bundle(out), 1 - lost};
     }
     direction = glm::reflect(direction, inwards);
   }
-  return {{place - settings_.camera.position, direction}, 0};
+  return {bundle(direction), 0};
 }
 
-std::optional<SeenTexel> MirrorSight::seen(const Ray& ray, const SeenSurface& from) const {
+std::optional<SeenTexel> MirrorSight::seen(const RayBundle& rays, const SeenSurface& from) const {
+  const Ray& ray = rays.ray;
   const glm::dvec3 place = ray.origin + settings_.camera.position;
   RayPart part{place, ray.direction, rays_->least_distance(place), kEndless};
   std::optional<SurfaceHit> hit = rays_->first_hit(part);
@@ -87,7 +127,7 @@ std::optional<SeenTexel> MirrorSight::seen(const Ray& ray, const SeenSurface& fr
     part.from = hit->distance;
     hit = rays_->first_hit(part);
   }
-  return hit ? std::optional(texels_of(*hit, scene_, settings_)) : std::nullopt;
+  return hit ? std::optional(texels_of(*hit, rays)) : std::nullopt;
 }
 
 }  // namespace gbl

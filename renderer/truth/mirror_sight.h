@@ -1,22 +1,25 @@
 #pragma once
-// What a mirror shows at a point of it: one ray in double, and where it ends a surface with its textures. One texel's four
-// neighbours of the largest level are read there; a frame reads mipmaps, so that the two differ where textures are fine.
+// What a mirror shows at a point of it: one ray in double, and where it ends a surface with its textures, read as a sampler
+// reads them.
 #include <map>
 #include <memory>
 #include <optional>
 
 #include "renderer/options/settings.h"
 #include "renderer/truth/ray_scene.h"
+#include "renderer/truth/texture_levels.h"
 #include "renderer/truth/truth_geometry.h"
 
 namespace gbl {
 
-// The texels of a surface that a ray meets.
-SeenTexel texels_of(const SurfaceHit&, const Scene&, const Settings&);
+// A ray, and those of the pixels right and below, which say how much of a texture it sees; relative to the camera.
+struct RayBundle {
+  Ray ray, beside, below;
+};
 
-// A ray that has come through an object, relative to the camera, and the share of its light that did.
+// What has come through an object, and the share of its light that did.
 struct Through {
-  Ray ray;
+  RayBundle rays;
   double share = 1;
 };
 
@@ -27,22 +30,26 @@ class MirrorSight {
 
   bool mirrors() const { return rays_ != nullptr; }  // does any surface show others?
   bool mirrors(const SeenSurface&) const;
-  // The ray that leaves the surface towards what it mirrors, relative to the camera.
-  static Ray mirrored_ray(const TruthSurface&);
+  // What leaves the surface, seen through this pixel (origin top left), towards what it mirrors.
+  RayBundle mirrored_rays(const TruthSurface&, glm::ivec2 pixel) const;
   // Of a clear object: bent where it enters and where it leaves (Snell), reflected within where it cannot leave, at most so
   // often. What is reflected within where it could leave is lost.
   static constexpr int kMostWithin = 16;
-  Through refracted_ray(const TruthSurface&, const SeenSurface&) const;
+  Through refracted_rays(const TruthSurface&, const SeenSurface&) const;
   // What it meets; empty: the background. A smooth object of flat triangles does not meet itself from within.
-  std::optional<SeenTexel> seen(const Ray&, const SeenSurface& from) const;
+  std::optional<SeenTexel> seen(const RayBundle&, const SeenSurface& from) const;
 
  private:
   glm::dvec3 normal_at(const SurfaceHit&) const;  // world, unit
+  SeenTexel texels_of(const SurfaceHit&, const RayBundle&) const;
+  // As wide as a pixel, around a ray that has come so far.
+  RayBundle spread(const Ray&, double distance) const;
 
   const Settings& settings_;
   const Scene& scene_;
   std::shared_ptr<const RayScene> rays_;
   std::map<int, RayScene> within_;  // of each clear object
+  std::optional<TextureLevels> textures_;
 };
 
 }  // namespace gbl

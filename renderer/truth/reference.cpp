@@ -72,16 +72,16 @@ Reference::LightAt Reference::light_at(const TruthSurface& s, const SeenSurface&
 }
 
 // Once: what is mirrored mirrors nothing.
-Reference::Seen Reference::seen_along(const Ray& ray, const SeenSurface& from) const {
-  const std::optional<SeenTexel> seen = mirrors_.seen(ray, from);
-  if (!seen) return {background_radiance(settings_, ray.direction)};
-  const SurfaceAt at = geometry_.at(ray, *seen);
+Reference::Seen Reference::seen_along(const RayBundle& rays, const SeenSurface& from) const {
+  const std::optional<SeenTexel> seen = mirrors_.seen(rays, from);
+  if (!seen) return {background_radiance(settings_, rays.ray.direction)};
+  const SurfaceAt at = geometry_.at(rays.ray, *seen);
   const LightAt light = light_at(at.surface, seen->surface());
   const glm::dvec3 of_lights = at.surface.albedo * light.sum.diffuse + light.sum.specular;
   return {settings_.ambient * at.ambient + at.emission + of_lights, of_lights, light.unshadowed};
 }
 
-void Reference::add_mirrored(size_t i, const SurfaceAt& at) {
+void Reference::add_mirrored(size_t i, glm::ivec2 pixel, const SurfaceAt& at) {
   const TruthSurface& s = at.surface;
   const SeenSurface surface = texels_[i].surface();
   const auto add = [&](const glm::dvec3& share, const Seen& seen) {
@@ -91,10 +91,10 @@ void Reference::add_mirrored(size_t i, const SurfaceAt& at) {
   };
   const glm::dvec3 mirrored = fresnel(s.f0, std::max(glm::dot(s.normal, s.to_eye), 0.0));
   truth_.lit[i] -= settings_.ambient * at.gloss;
-  add(mirrored, seen_along(MirrorSight::mirrored_ray(s), surface));
+  add(mirrored, seen_along(mirrors_.mirrored_rays(s, pixel), surface));
   if (at.through == glm::dvec3(0)) return;
-  const Through through = mirrors_.refracted_ray(s, surface);
-  add((1.0 - mirrored) * at.through * through.share, seen_along(through.ray, surface));
+  const Through through = mirrors_.refracted_rays(s, surface);
+  add((1.0 - mirrored) * at.through * through.share, seen_along(through.rays, surface));
 }
 
 void Reference::work_pixel(glm::ivec2 pixel) {
@@ -117,7 +117,7 @@ void Reference::work_pixel(glm::ivec2 pixel) {
   truth_.normal[i] = s.normal;
   truth_.position[i] = s.position;
   truth_.lit[i] = settings_.ambient * at.ambient + at.emission + s.albedo * sum.diffuse + sum.specular;
-  if (mirrors_.mirrors(texels_[i].surface())) add_mirrored(i, at);
+  if (mirrors_.mirrors(texels_[i].surface())) add_mirrored(i, pixel, at);
   lit_pairs_of_row_[static_cast<size_t>(pixel.y)] += light.lit_pairs;
 }
 

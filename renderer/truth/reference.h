@@ -55,8 +55,8 @@ class Reference {
   struct Seen {
     glm::dvec3 all{0}, of_lights{0}, unshadowed{0};  // radiance
   };
-  Seen seen_along(const Ray&, const SeenSurface& from) const;
-  void add_mirrored(size_t i, const SurfaceAt&);
+  Seen seen_along(const RayBundle&, const SeenSurface& from) const;
+  void add_mirrored(size_t i, glm::ivec2 pixel, const SurfaceAt&);
 
   Settings settings_;
   std::shared_ptr<const Scene> scene_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/picture/srgb.h"
-
 namespace gbl {
 namespace {
 
@@ -14,24 +12,6 @@ int wrapped(double at, int size, Wrap wrap) {
   if (wrap == Wrap::clamp) within = std::clamp(at, 0.0, 1.0);
   if (wrap == Wrap::mirror && std::fmod(std::abs(whole), 2) == 1) within = 1 - within;
   return std::clamp(static_cast<int>(within * size), 0, size - 1);
-}
-
-size_t texel_index(int i, int size, Wrap wrap) {
-  switch (wrap) {
-    case Wrap::clamp: return static_cast<size_t>(std::clamp(i, 0, size - 1));
-    case Wrap::mirror: {
-      const int twice = ((i % (2 * size)) + 2 * size) % (2 * size);
-      return static_cast<size_t>(twice < size ? twice : 2 * size - 1 - twice);
-    }
-    case Wrap::repeat: break;
-  }
-  return static_cast<size_t>(((i % size) + size) % size);
-}
-
-glm::dvec4 decoded(glm::dvec4 texel, bool srgb) {
-  if (srgb)
-    for (int k = 0; k < 3; ++k) texel[k] = linear_from_srgb(texel[k]);
-  return texel;
 }
 
 }  // namespace
@@ -52,21 +32,6 @@ glm::dvec4 TextureAt::nearest(const Scene& scene, const TextureUse& use) const {
   const auto x = static_cast<size_t>(wrapped(at.x, t.size.x, t.sampler.wrap_u));
   const auto y = static_cast<size_t>(wrapped(at.y, t.size.y, t.sampler.wrap_v));
   return t.texel(y * static_cast<size_t>(t.size.x) + x);
-}
-
-glm::dvec4 TextureAt::linear(const Scene& scene, const TextureUse& use, bool srgb) const {
-  if (use.texture == kNoTexture) return glm::dvec4(1);
-  const Texture& t = scene.textures[static_cast<size_t>(use.texture)];
-  const glm::dvec2 at =
-      glm::dvec2(glm::dmat3(use.uv_transform) * glm::dvec3(uv[use.uv_set], 1)) * glm::dvec2(t.size) - 0.5;
-  if (t.empty() || !(std::abs(at.x) < 1e9 && std::abs(at.y) < 1e9)) return glm::dvec4(1);
-  const glm::dvec2 low = glm::floor(at), share = at - low;
-  const auto texel = [&](int dx, int dy) {
-    const size_t x = texel_index(static_cast<int>(low.x) + dx, t.size.x, t.sampler.wrap_u);
-    const size_t y = texel_index(static_cast<int>(low.y) + dy, t.size.y, t.sampler.wrap_v);
-    return decoded(t.texel(y * static_cast<size_t>(t.size.x) + x), srgb);
-  };
-  return glm::mix(glm::mix(texel(0, 0), texel(1, 0), share.x), glm::mix(texel(0, 1), texel(1, 1), share.x), share.y);
 }
 
 bool in_hole(const Scene& scene, const Mesh& mesh, const uint32_t* corner, const Material& m,

@@ -13,8 +13,10 @@ struct TextureAt {
 
   // 0..1 as stored; white where there is no texture.
   glm::dvec4 nearest(const Scene&, const TextureUse&) const;
-  // The four around it by their distance, of the largest level; decoded from sRGB first where it is coded so.
-  glm::dvec4 linear(const Scene&, const TextureUse&, bool srgb) const;
+  // As the texture counts: of the set that is read, moved as the use says.
+  glm::dvec2 uv_of(const TextureUse& use) const {
+    return glm::dvec2(glm::dmat3(use.uv_transform) * glm::dvec3(uv[use.uv_set], 1));
+  }
 };
 
 // Is a masked material's triangle cut out there?

@@ -85,7 +85,7 @@ class Glass : public testing::Test {
       if (scene_.meshes[0].vertices[*c].normal.y > 0.5f) break;
       ++triangle;
     }
-    return MirrorSight(settings_, scene_, nullptr).refracted_ray(s, {1, triangle});
+    return MirrorSight(settings_, scene_, nullptr).refracted_rays(s, {1, triangle});
   }
   Scene scene_;
   Settings settings_;
@@ -98,8 +98,8 @@ TEST_F(Glass, ASlabShiftsARaySideways) {
       const Through t = through({0.3, 0, 0.1}, degrees);
       const double sine = std::sin(glm::radians(degrees)), cosine = std::cos(glm::radians(degrees));
       const glm::dvec3 along(sine, -cosine, 0);
-      EXPECT_LT(glm::distance(t.ray.direction, along), 1e-9) << "it leaves as it came";
-      const glm::dvec3 out = t.ray.origin + settings_.camera.position;
+      EXPECT_LT(glm::distance(t.rays.ray.direction, along), 1e-9) << "it leaves as it came";
+      const glm::dvec3 out = t.rays.ray.origin + settings_.camera.position;
       EXPECT_NEAR(out.y, -thick, 1e-9);
       const double shift = thick * sine * (1 - cosine / std::sqrt(1.5 * 1.5 - sine * sine));
       const glm::dvec3 straight = glm::dvec3(0.3, 0, 0.1) + along * (thick / cosine);
@@ -115,9 +115,10 @@ TEST_F(Glass, BeyondTheCriticalAngleASideMirrorsWithin) {
   const Through t = through({0.9, 0, 0}, 60);
   const double sine = std::sin(glm::radians(60.0)) / 1.5;
   ASSERT_GT(std::cos(std::asin(sine)), 1 / 1.5) << "what meets the side is beyond it";
-  EXPECT_LT(glm::distance(t.ray.direction, glm::dvec3(-std::sin(glm::radians(60.0)), -std::cos(glm::radians(60.0)), 0)),
-            1e-9);
-  const glm::dvec3 out = t.ray.origin + settings_.camera.position;
+  EXPECT_LT(
+      glm::distance(t.rays.ray.direction, glm::dvec3(-std::sin(glm::radians(60.0)), -std::cos(glm::radians(60.0)), 0)),
+      1e-9);
+  const glm::dvec3 out = t.rays.ray.origin + settings_.camera.position;
   const double run = 2 * sine / std::sqrt(1 - sine * sine);  // sideways, unfolded
   EXPECT_NEAR(out.x, 1 - (0.9 + run - 1), 1e-9);
   EXPECT_NEAR(out.y, -2, 1e-9);
@@ -127,7 +128,7 @@ TEST_F(Glass, WithTheAirsIndexNothingIsBent) {
   make(100, 2, 1);
   const Through t = through({0, 0, 0}, 50);
   const glm::dvec3 along(std::sin(glm::radians(50.0)), -std::cos(glm::radians(50.0)), 0);
-  EXPECT_LT(glm::distance(t.ray.direction, along), 1e-12);
+  EXPECT_LT(glm::distance(t.rays.ray.direction, along), 1e-12);
   EXPECT_NEAR(t.share, 1, 1e-12);
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+// The textures of a scene as a sampler reads them, in double: mipmaps, and four texels of two levels by the footprint that is
+// asked for (OpenGL 4.6, section 8.14, with the exact square root for the scale factor).
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "renderer/scene/scene.h"
+
+namespace gbl {
+
+class TextureLevels {
+ public:
+  explicit TextureLevels(const Scene&);  // which must outlive it
+
+  // uv of the texel's place, and how it changes to the next pixel right and below. 0..1, linear: what is coded in sRGB is
+  // decoded first, where `srgb` says so. White without a texture.
+  glm::dvec4 at(int texture, bool srgb, const glm::dvec2& uv, const glm::dvec2& beside, const glm::dvec2& below) const;
+
+ private:
+  struct Level {
+    glm::ivec2 size{0};
+    std::vector<glm::vec4> texels;
+  };
+  struct Pyramid {
+    std::vector<Level> levels;  // from half the size on
+  };
+  static Pyramid pyramid_of(const Texture&, bool srgb);
+  glm::dvec4 texel(const Texture&, const Pyramid&, bool srgb, int level, glm::ivec2 at) const;
+  glm::dvec4 level_at(const Texture&, const Pyramid&, bool srgb, int level, const glm::dvec2& uv) const;
+
+  const Scene& scene_;
+  std::vector<Pyramid> srgb_, linear_;  // of each texture; those that no material reads so are empty
+};
+
+}  // namespace gbl
