@@ -198,8 +198,9 @@ constexpr Use kByNormalMaps = {[](const Settings& s) { return s.normal_map == No
 constexpr Use kByThreshold = {[](const Settings& s) { return s.range.kind == RangeKind::threshold; },
                               [](const Settings& s) { return fmt::format("range {}", row(s.range.kind).label); }};
 
-constexpr Use kByReflections = {[](const Settings& s) { return s.reflections != Reflections::off; },
-                                [](const Settings& s) { return fmt::format("reflections {}", row(s.reflections).label); }};
+constexpr Use kByReflections = {
+    [](const Settings& s) { return s.reflections != Reflections::off; },
+    [](const Settings& s) { return fmt::format("reflections {}", row(s.reflections).label); }};
 constexpr Use kByShadows = {[](const Settings& s) { return s.shadows != Shadows::off; },
                             [](const Settings& s) { return fmt::format("shadows {}", row(s.shadows).label); }};
 

@@ -57,7 +57,7 @@ constexpr Preset kPresets[] = {
     {"start", "Start", "the first screen: terrain, 64 lights as volumes, 12 bytes per pixel", start},
     {"nclgl", "nclgl", "nclgl tutorial 15 as printed: RGBA8 colour and normal, D24, 64 sphere volumes, RGBA8 light", nclgl},
     {"nclgl-fixed", "nclgl, fixed", "the same targets and lights, without its mistakes", nclgl_fixed},
-    {"stereo", "stereo", "tutorial 9 as printed: stereographic normals, an accumulation target that begins with ambient, shadows of spot and point lights", stereo},
+    {"stereo", "stereo", "tutorial 9 as printed: stereographic normals, an accumulation target that begins with ambient, shadows, mirrors and glass", stereo},
     {"stereo-fixed", "stereo, fixed", "the same, with normals that have a code for every direction", stereo_fixed},
     {"learnopengl-a", "learnopengl, stage a", "LearnOpenGL, Deferred Shading, first pass: 32 lights on every pixel, Lambert, no falloff", learnopengl_a},
     {"learnopengl-b", "learnopengl, stage b", "LearnOpenGL, Deferred Shading: falloff, and a radius where it reaches 5/256", learnopengl_b},

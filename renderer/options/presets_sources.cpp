@@ -65,7 +65,8 @@ Settings stereo() {
   s.lights.cull = LightCull::front;
   s.attenuation = Attenuation::windowed;
   s.shading.model = ShadingModel::ggx;
-  s.shadows = Shadows::all;  // step 7: an array of maps, an array of cubes, both compared by the sampler
+  s.shadows = Shadows::all;         // step 7: an array of maps, an array of cubes, both compared by the sampler
+  s.reflections = Reflections::on;  // steps 34-43: planar and cube reflections, and refraction
   s.ambient = 0.3;
   s.background = {BackgroundFill::black, glm::dvec3(0.2), BackgroundSkip::none};
   s.layout = Layout::stereo;

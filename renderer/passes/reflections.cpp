@@ -41,10 +41,6 @@ Targets& nested(std::unique_ptr<Targets>& targets, const Cut& cut) {
   return *targets;
 }
 
-glm::dvec3 middle_of(const Mirror& m, const ResolvedFrame& f, const Scene& scene) {
-  return f.mistaken(Mistake::mirror_cube_elsewhere) ? scene.bounds.centre() : m.centre;
-}
-
 int draw_flat(Renderer& renderer, const Settings& s, const GpuScene& scene, const Mirror& m, MirrorTargets& t,
               Canvas& into) {
   Cut cut{.nested = true, .object = m.object, .behind = m.plane};
@@ -65,7 +61,7 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
   for (const Mirror* m : mirrors) {
     Camera like;
     like.near = s.camera.near, like.far = s.camera.far;
-    wanted.push_back(in_a_mirror(s, side_camera(middle_of(*m, f, scene.scene()), 0, texels, like)));
+    wanted.push_back(in_a_mirror(s, side_camera(m->centre, 0, texels, like)));
     wanted.back().size = glm::ivec2(texels);
   }
   // They do not depend on where the camera is.

@@ -99,6 +99,16 @@ void add_tree(Scene& scene) {
   place(scene, "crown", std::move(crown), leaves);
 }
 
+// With a back, which would stand before whoever looks from behind its plane.
+void add_standing_mirror(Scene& scene) {
+  const int silver =
+      add(scene, Material{.name = "silver", .base_colour = {0.9f, 0.92f, 0.93f, 1}, .roughness = 0.04f, .metal = 1});
+  const int back =
+      add(scene, Material{.name = "mirror's back", .base_colour = {0.3f, 0.2f, 0.14f, 1}, .roughness = 0.8f});
+  place(scene, "mirror", make_sheet({7.75, 0.15, -3.398}, {1.9, 0, 0}, {0, 2.5, 0}, 0.5), silver);
+  place(scene, "mirror's back", make_box({7.7, 0, -3.5}, {9.7, 2.7, -3.4}, 0.5), back);
+}
+
 void add_lights(Scene& scene) {
   Light sun;
   sun.kind = LightKind::directional;
@@ -124,6 +134,7 @@ Scene build_bias() {
   add_boards(scene);
   add_slopes(scene);
   add_tree(scene);
+  add_standing_mirror(scene);
   add_lights(scene);
   scene.bounds = bounds_of(scene);
   scene.light_box = LightBox{{-8, 0.3, -5}, {8, 3.5, 5}};

@@ -7,7 +7,7 @@ namespace {
 // clang-format off
 constexpr AbsentPitfall kAbsent[] = {
     {"unsized-rgba-is-8bit", "a matter of the format's name: the lab has sized formats only. Test Portability.UnsizedRgbaIs8Bit"},
-    {"subviewport-uv", "not yet: it needs faces of a cube map that are smaller than their texture"},
+    {"subviewport-uv", "each face of a cube is drawn into a G-buffer of its own size. Test ReflectionsGl.APlanesPictureIsTheMirroredCamerasFrame"},
     {"fragcoord-viewport-origin", "the lab draws each picture into a texture of its own, so no viewport has an origin"},
     {"gbuffer-filter-linear", "not yet: it needs a G-buffer of another size than the picture; the lab reads texels by their address"},
     {"radius-nan-dim-light", "a light too dim for the threshold has range 0. Test RangeAtThreshold.OfALightThatIsTooDimIsNothing"},

@@ -25,6 +25,7 @@ constexpr PitfallGroup kGroups[] = {
     {"accumulation", "Sums and colour"},
     {"shading", "Shading"},
     {"shadows", "Shadows"},
+    {"mirrors", "Mirrors and glass"},
     {"passes", "Passes"},
 };
 
