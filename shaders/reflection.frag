@@ -8,10 +8,27 @@ uniform sampler2D mirrored;
 uniform mat3 side_from_world[6];  // view of each
 uniform vec4 side_place;          // x, y: of the first side's corner, in texels; z: texels to a side; w: 1 / tangent of half the angle
 #endif
+#if MIRROR_BOX
+uniform vec3 box_low;  // of the scene, relative to the camera; and the cube's middle
+uniform vec3 box_high;
+uniform vec3 side_centre;
+#endif
 layout(location = 0) out vec4 radiance;
 
 #if !MIRROR_FLAT
+// As seen from the surface: where the ray leaves the scene's box, as the cube's middle sees it.
+vec3 bent(vec3 direction) {
+#if MIRROR_BOX
+  vec3 away = (mix(box_low, box_high, greaterThan(direction, vec3(0.0))) - relative) / direction;
+  float reach = max(min(away.x, min(away.y, away.z)), 0.0);
+  return relative + reach * direction - side_centre;
+#else
+  return direction;
+#endif
+}
+
 vec3 seen_along(vec3 direction) {
+  direction = bent(direction);
   int side = cube_face(direction);
   vec3 v = side_from_world[side] * direction;
   vec2 within = (v.xy / -v.z * side_place.w * 0.5 + 0.5) * side_place.z;

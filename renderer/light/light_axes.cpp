@@ -33,6 +33,10 @@ constexpr ValueRow kReflectMethod[] = {
   {.value = at(ReflectMethod::planar), .id = "planar", .label = "planar, else cube", .help = "a flat mirror shows the scene from behind its plane, to the pixel; others read a cube", .cost = "a frame more for each flat mirror", .source = "tutorial 9, steps 40 and 41"},
   {.value = at(ReflectMethod::cube), .id = "cube", .label = "cube", .help = "six pictures from the object's middle, read by direction alone: right for what is far away", .cost = "six square frames for each mirror, drawn again when lights or settings change", .source = "tutorial 9, steps 37, 42 and 43"},
 };
+constexpr ValueRow kReflectParallax[] = {
+  {.value = at(ReflectParallax::none), .id = "none", .label = "none", .help = "a cube is read by direction, as if all it shows were infinitely far away"},
+  {.value = at(ReflectParallax::box), .id = "box", .label = "the scene's box", .help = "directions are bent to where the ray leaves the scene's box: right for the walls of a room, wrong for what stands in it", .source = "Lagarde and Zanuttini 2012, Local Image-based Lighting With Parallax-corrected Cubemaps"},
+};
 constexpr ValueRow kReflectSize[] = {
   {.value = at(ReflectSize::s64), .id = "64", .label = "64", .help = "texels to a side of each of a cube's pictures"},
   {.value = at(ReflectSize::s128), .id = "128", .label = "128", .help = "texels to a side of each of a cube's pictures"},
@@ -131,6 +135,7 @@ GBL_ROWS(Shadows, kShadows)
 GBL_ROWS(Reflections, kReflections)
 GBL_ROWS(ReflectMethod, kReflectMethod)
 GBL_ROWS(ReflectSize, kReflectSize)
+GBL_ROWS(ReflectParallax, kReflectParallax)
 GBL_ROWS(ShadowMapSize, kShadowMapSize)
 GBL_ROWS(ShadowFormat, kShadowFormat)
 GBL_ROWS(ShadowCull, kShadowCull)

@@ -11,6 +11,7 @@ enum class LightMarkers { off, on };
 enum class Shadows { off, sun, all };
 enum class Reflections { off, on };
 enum class ReflectMethod { none, planar, cube };
+enum class ReflectParallax { none, box };
 enum class ReflectSize { s64, s128, s256, s512 };
 enum class ShadowMapSize { s256, s512, s1024, s2048, s4096 };
 enum class ShadowFormat { d16, d24, d32f };

@@ -270,6 +270,7 @@ const Option kOptions[] = {
   {.path = "shadow.max-lights", .group = Group::method, .label = "Shadowed lights", .help = "so many lights have maps, suns first; light of the others passes through everything", INTEGER(shadow.max_lights, 0, 256), .use = &kByShadows},
   {.path = "reflect.method", .group = Group::method, .label = "Mirrors", .help = "where the mirrored scene comes from", CHOICE(ReflectMethod, reflect.method), .use = &kByReflections},
   {.path = "reflect.size", .group = Group::method, .label = "Mirror cube", .help = "size of its six pictures", CHOICE(ReflectSize, reflect.size), .use = &kByReflections},
+  {.path = "reflect.parallax", .group = Group::method, .label = "Cube's parallax", .help = "how a cube is read from beside its middle", CHOICE(ReflectParallax, reflect.parallax), .use = &kByReflections},
   {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents), .use = &kByNormalMaps},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},

@@ -120,6 +120,7 @@ struct Settings {
   struct Reflect {
     ReflectMethod method = ReflectMethod::planar;
     ReflectSize size = ReflectSize::s256;
+    ReflectParallax parallax = ReflectParallax::none;
     bool operator==(const Reflect&) const = default;
   } reflect;
   Tangents tangents = Tangents::vertex;

@@ -126,12 +126,20 @@ int draw_reflections(Frame& frame) {
                   depth_tested(frame, gl::DepthTest::equal, {.blend = gl::Blend::add_colour}));
     gl::bind_texture("mirrored", m.flat ? t.flat[next_flat++].texture : t.sides.texture);
     gl::Defines defines = frame.shaded_defines();
+    const bool box = !m.flat && frame.settings.reflect.parallax == ReflectParallax::box;
     defines.push_back({"MIRROR_FLAT", m.flat});
+    defines.push_back({"MIRROR_BOX", box});
     const glm::vec4 place(0, m.flat ? 0 : texels * row++, texels, 1 / side_tangent(texels));
     calls += draw_objects(frame, draw, "reflection.frag", defines, [&](const gl::Program& program) {
       if (m.flat) return;
       glUniformMatrix3fv(program.uniform("side_from_world"), kCubeFaces, GL_FALSE, glm::value_ptr(sides[0]));
       glUniform4fv(program.uniform("side_place"), 1, glm::value_ptr(place));
+      if (!box) return;
+      const auto set = [&](const char* name, const glm::dvec3& world) {
+        glUniform3fv(program.uniform(name), 1, glm::value_ptr(glm::vec3(world - frame.settings.camera.position)));
+      };
+      const Bounds& bounds = frame.scene.scene().bounds;
+      set("box_low", bounds.min), set("box_high", bounds.max), set("side_centre", m.centre);
     });
   }
   return calls;
