@@ -7,15 +7,18 @@
 #include "renderer/base/error.h"
 #include "renderer/inspect/views.h"
 #include "renderer/light/light_volume.h"
+#include "renderer/frame/resolved_frame.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/presets.h"
+#include "renderer/scenes/builtin_scenes.h"
 
 namespace gbl {
 namespace {
 
-TEST(Lessons, TheThreeOfTheLabAreThere) {
+TEST(Lessons, ThoseOfTheLabAreThere) {
   EXPECT_EQ(lesson_ids(), (std::vector<std::string>{"what-is-in-a-g-buffer", "three-ways-to-lose-a-light",
-                                                    "learnopengl-in-three-stages"}))
+                                                    "learnopengl-in-three-stages", "where-is-the-light-blocked",
+                                                    "a-mirror-is-another-frame"}))
       << "as they are taught";
   const Lesson g_buffer = load_lesson("what-is-in-a-g-buffer");
   EXPECT_EQ(g_buffer.title, "What is in a G-buffer");
@@ -24,6 +27,20 @@ TEST(Lessons, TheThreeOfTheLabAreThere) {
   EXPECT_EQ(lost.title, "Three ways to lose a light");
   EXPECT_EQ(lost.steps.size(), 6u);
   EXPECT_EQ(load_lesson("learnopengl-in-three-stages").steps.size(), 5u);
+  EXPECT_EQ(load_lesson("where-is-the-light-blocked").steps.size(), 8u);
+  EXPECT_EQ(load_lesson("a-mirror-is-another-frame").steps.size(), 6u);
+}
+
+// "Ten maps for three lights": three of the sun, six of the lamp, one of the spot.
+TEST(Lessons, TheBlockedLightsHaveTenMaps) {
+  const Lesson lesson = load_lesson("where-is-the-light-blocked");
+  const Settings third = settings_at(lesson, 2);
+  const Scene scene = load_scene(third.scene);
+  EXPECT_EQ(resolve_frame(third, scene, {}).shadows.maps.size(), 10u);
+  const ResolvedFrame last = resolve_frame(settings_at(lesson, 7), scene, {});
+  EXPECT_EQ(last.shadows.with, 1);
+  EXPECT_EQ(last.shadows.without, 2);
+  EXPECT_EQ(last.lights[static_cast<size_t>(last.shadows.maps[0].light)].kind, LightKind::directional);
 }
 
 // The last step is the preset with the mistakes fixed, but for what is looked at.
