@@ -120,7 +120,9 @@ class Account {
 
   void add_terms() {
     const glm::dvec3 albedo = at_.surface.albedo, own = s_.ambient * at_.ambient + at_.emission;
-    lit_ = own + albedo * diffuse_ + specular_;
+    const SurfaceLight light(s_, scene_);
+    const glm::dvec3 mirrored = light.mirrored(at_, texel_.surface(), out_.pixel).all;
+    lit_ = own + albedo * diffuse_ + specular_ + mirrored;
     const glm::dvec3 a = drawn(ProbeField::albedo), d = drawn(ProbeField::diffuse_light),
                      s = drawn(ProbeField::specular_light),
                      o = s_.ambient * drawn(ProbeField::ambient) + drawn(ProbeField::emission);
@@ -130,6 +132,10 @@ class Account {
     term("albedo x diffuse light", "radiance", split && coloured, a * d, albedo * diffuse_, a * d - albedo * diffuse_);
     term("+ specular light", "radiance", split, s, specular_, s - specular_);
     term("+ ambient, emission", "radiance", coloured, o, own, o - own);
+    if (light.mirrors()) {  // no buffer holds it: what is left of the sum
+      const glm::dvec3 rest = drawn(ProbeField::lit) - a * d - s - o;
+      term("+ mirrored, refracted", "radiance", split && coloured, rest, mirrored, rest - mirrored);
+    }
     add_result();
   }
 

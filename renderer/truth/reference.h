@@ -5,20 +5,12 @@
 #include <atomic>
 #include <memory>
 
-#include "renderer/frame/frame_lights.h"
-#include "renderer/truth/light_sight.h"
-#include "renderer/truth/mirror_sight.h"
+#include "renderer/truth/surface_light.h"
 #include "renderer/truth/truth.h"
 #include "renderer/truth/truth_geometry.h"
 #include "renderer/truth/visible_triangles.h"
 
 namespace gbl {
-
-// The lights as they are meant: lights_of() without any mistake.
-std::vector<Light> true_lights(const Settings&, const Scene&);
-
-// Radiance where no surface is seen along this direction.
-glm::dvec3 background_radiance(const Settings&, const glm::dvec3& direction);
 
 class Reference {
  public:
@@ -46,26 +38,13 @@ class Reference {
  private:
   void work_row(int y);
   void work_pixel(glm::ivec2 pixel);
-  struct LightAt {
-    Reflected sum;
-    glm::dvec3 unshadowed{0};
-    uint64_t lit_pairs = 0;
-  };
-  LightAt light_at(const TruthSurface&, const SeenSurface&) const;
-  struct Seen {
-    glm::dvec3 all{0}, of_lights{0}, unshadowed{0};  // radiance
-  };
-  Seen seen_along(const RayBundle&, const SeenSurface& from) const;
-  void add_mirrored(size_t i, glm::ivec2 pixel, const SurfaceAt&);
+  void add_mirrored(size_t i, const SurfaceLight::Mirrored&);
 
   Settings settings_;
   std::shared_ptr<const Scene> scene_;
   std::vector<SeenTexel> texels_;
   TruthGeometry geometry_;
-  ShadingModelOf model_;
-  LightSight sight_;
-  MirrorSight mirrors_;
-  std::vector<TruthLight> lights_;
+  SurfaceLight light_;
   Truth truth_;
   std::vector<uint64_t> lit_pairs_of_row_;
   std::atomic<int> next_row_{0}, rows_done_{0};

@@ -70,6 +70,33 @@ TEST_F(PixelAccounts, LightsBehindSomethingAreHidden) {
   EXPECT_GT(hidden, 0);
 }
 
+// A pixel of the room's wall mirror: what it shows is a term of its own, and the terms are the sum.
+TEST_F(PixelAccounts, WhatAMirrorShowsIsATerm) {
+  const auto room = std::make_shared<const Scene>(build_room());
+  Settings s = settings();
+  s.scene = "builtin:room";
+  s.size = {96, 54};
+  s.camera = room->camera;
+  s.lights.source = LightSource::scene;
+  s.shading.model = ShadingModel::ggx;
+  s.attenuation = Attenuation::windowed;
+  s.reflections = Reflections::on;
+  lab_->show(s.scene, room);
+  lab_->draw(s);
+  lab_->start_probe({8, 30});
+  const PixelAccount a = lab_->account(lab_->take_probe(true).value(), true).value();
+  ASSERT_EQ(room->instances[static_cast<size_t>(a.seen.object - 1)].name, "mirror");
+  const AccountLine& mirrored = line(a.terms, "+ mirrored, refracted");
+  EXPECT_GT(mirrored.truth[0], 0.02);
+  // Right to the pixel, but for the mipmap of the wood that it shows: a driver may estimate which (llvmpipe does).
+  EXPECT_LT(mirrored.error, 0.1 * mirrored.truth[0]);
+  for (size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(line(a.terms, "= lit").truth[k],
+                line(a.terms, "albedo x diffuse light").truth[k] + line(a.terms, "+ specular light").truth[k] +
+                    line(a.terms, "+ ambient, emission").truth[k] + mirrored.truth[k],
+                1e-12);
+}
+
 TEST_F(PixelAccounts, TheTermsAddUpToThePixelAndTheLightsToTheTerms) {
   Settings s = settings();
   s.lights.range_scale = 3;
