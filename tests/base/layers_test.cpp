@@ -60,6 +60,7 @@ const char* const kRooms[] = {
     "renderer/scene",
     "renderer/gbuffer",
     "renderer/light",
+    "renderer/reflection",
     "renderer/options",
     "renderer/gltf",
     "renderer/scenes",

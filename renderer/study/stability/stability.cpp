@@ -9,11 +9,11 @@
 namespace gbl {
 
 std::span<const Sweep> sweeps() {
-  static const std::vector<Sweep> kSweeps = {light_distance_sweep(), near_corner_sweep(),    far_plane_sweep(),
-                                             volume_level_sweep(),   cull_families_sweep(),  normal_angle_sweep(),
-                                             roughness_sweep(),      sub_pixel_pan_sweep(),  view_distance_sweep(),
-                                             world_offset_sweep(),   near_plane_sweep(),     depth_decode_sweep(),
-                                             light_count_sweep(),    range_threshold_sweep()};
+  static const std::vector<Sweep> kSweeps = {light_distance_sweep(), near_corner_sweep(),     far_plane_sweep(),
+                                             volume_level_sweep(),   cull_families_sweep(),   normal_angle_sweep(),
+                                             roughness_sweep(),      sub_pixel_pan_sweep(),   view_distance_sweep(),
+                                             world_offset_sweep(),   near_plane_sweep(),      depth_decode_sweep(),
+                                             light_count_sweep(),    range_threshold_sweep(), shadow_bias_sweep()};
   return kSweeps;
 }
 

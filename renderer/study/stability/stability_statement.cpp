@@ -49,6 +49,10 @@ struct Writer {
                                               : fmt::format("{:.4g} to {}", e.least, y(e.most));
     return fmt::format("wobbles by {}: from the smallest {} to the largest", by, words.metric);
   }
+  std::string operator()(const Least& e) const {
+    return fmt::format("has its least value {}: {} is at most {} there, above {} at both ends", stretch(e.from, e.to),
+                       words.metric, y(e.most), y(e.ends));
+  }
   std::string operator()(const FailsOften& e) const {
     const std::string which = words.families
                                   ? fmt::format(" of family {}", "ABC"[std::clamp(int(e.from) / kFamilySpan, 0, 2)])
@@ -139,6 +143,20 @@ struct Checker {
     if (wobble >= e.least && wobble <= e.most) return {true, ""};
     return {false, fmt::format("it wobbles by {:.4g}, from {:.4g} at {:.6g} to {:.4g} at {:.6g}", wobble, *low->value,
                                low->x, *high->value, high->x)};
+  }
+
+  Verdict operator()(const Least& e) const {
+    const Verdict finite = every(
+        -kNoEnd, kNoEnd, [](double v) { return std::isfinite(v); }, "a finite number");
+    if (!finite.holds) return finite;
+    const CurvePoint& least = *std::min_element(
+        points.begin(), points.end(), [](const CurvePoint& a, const CurvePoint& b) { return *a.value < *b.value; });
+    if (least.x < e.from || least.x > e.to || above(*least.value, e.most))
+      return {false, fmt::format("its least value is {:.4g}, at {:.6g}", *least.value, least.x)};
+    for (const CurvePoint& end : {points.front(), points.back()})
+      if (!above(*end.value, e.ends))
+        return {false, fmt::format("at {:.6g} it is {:.4g}, not above {:.4g}", end.x, *end.value, e.ends)};
+    return {true, ""};
   }
 
   Verdict operator()(const FailsOften& e) const {

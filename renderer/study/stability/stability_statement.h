@@ -59,7 +59,13 @@ struct Wobbles {
   double least = 0, most = kNoEnd;
 };
 
-using Expected = std::variant<Flat, Diverges, FailsIn, Grows, FailsOften, Wobbles>;
+// A valley: the least value lies from `from` to `to` and is at most `most`, and both ends of the curve are above `ends`.
+struct Least {
+  double from = 0, to = 0;
+  double most = 0, ends = 0;
+};
+
+using Expected = std::variant<Flat, Diverges, FailsIn, Grows, FailsOften, Wobbles, Least>;
 
 // The words for a curve's axes: "camera's distance", "units"; "lost_pixels", "".
 struct AxisWords {

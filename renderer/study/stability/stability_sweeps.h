@@ -21,6 +21,8 @@ Sweep depth_decode_sweep();
 // stability_light.cpp: sums, and where a light ends
 Sweep light_count_sweep();
 Sweep range_threshold_sweep();
+// stability_shadows.cpp: what shadow maps lose
+Sweep shadow_bias_sweep();
 // stability_families.cpp: everything at once
 Sweep cull_families_sweep();
 

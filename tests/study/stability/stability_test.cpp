@@ -48,9 +48,9 @@ TEST(StabilityStatement, WhatIsNotANumberIsAboveEveryBound) {
 
 TEST(StabilityStatement, NothingMeasuredProvesNothing) {
   const Points absent = {{1, std::nullopt}};
-  for (const Expected& e :
-       {Expected(Flat{1}), Expected(Diverges{1, 1, 0, 0}), Expected(FailsIn{.from = 1, .to = 1}), Expected(Grows{}),
-        Expected(FailsOften{.share = 1}), Expected(FailsOften{}), Expected(Wobbles{})}) {
+  for (const Expected& e : {Expected(Flat{1}), Expected(Diverges{1, 1, 0, 0}), Expected(FailsIn{.from = 1, .to = 1}),
+                            Expected(Grows{}), Expected(FailsOften{.share = 1}), Expected(FailsOften{}),
+                            Expected(Wobbles{}), Expected(Least{.from = -kNoEnd, .to = kNoEnd})}) {
     EXPECT_FALSE(check(e, absent).holds);
     EXPECT_FALSE(check(e, Points{}).holds);
   }
@@ -94,6 +94,15 @@ TEST(StabilityStatement, WobblesFromItsSmallestToItsLargestValue) {
   expect_broken(Wobbles{.least = 4.1}, wave, "from -3 at 3 to 1 at 2");
   expect_broken(Wobbles{.most = 3.9}, wave, "wobbles by 4");
   expect_broken(Wobbles{}, {{1, 0}, {2, kNan}}, "at 2");
+}
+
+TEST(StabilityStatement, LeastLiesBetweenTwoHigherEnds) {
+  const Points valley = {{1, 9}, {2, 3}, {4, 2}, {8, 5}};
+  EXPECT_TRUE(check(Least{.from = 3, .to = 5, .most = 2, .ends = 4}, valley).holds);
+  expect_broken(Least{.from = 5, .to = 9, .most = 2, .ends = 4}, valley, "is 2, at 4");
+  expect_broken(Least{.from = 3, .to = 5, .most = 1, .ends = 4}, valley, "is 2, at 4");
+  expect_broken(Least{.from = 3, .to = 5, .most = 2, .ends = 6}, valley, "at 8 it is 5");
+  expect_broken(Least{.from = 3, .to = 5, .most = 2}, {{1, 9}, {4, kNan}, {8, 9}}, "at 4");
 }
 
 TEST(StabilityStatement, FailsOftenCountsConfigurationsOfItsFamilyOnly) {
