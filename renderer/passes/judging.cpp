@@ -93,7 +93,9 @@ void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   desc.depth = &depth_;
   framebuffer_ = gl::make_framebuffer(desc);
   Settings witness = settings_;
-  witness.shadows = Shadows::off;  // a map's errors are no float arithmetic's: see step()
+  // A shadow map's and a mirror's errors are no float arithmetic's: see step().
+  witness.shadows = Shadows::off;
+  witness.reflections = Reflections::off;
   renderer.render(witness, scene, targets_);
   witness_read_.start(*targets_.frame.texture(Stores::lit));
   renderer.draw_seen(settings_, scene, targets_, framebuffer_);
@@ -137,7 +139,8 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   auto set = std::make_shared<TruthSet>();
   set->settings = settings_;
   set->truth = reference_->truth();
-  if (settings_.shadows == Shadows::off) set->witness_lit = std::move(witness_lit_);  // else none is excused
+  const bool same = settings_.shadows == Shadows::off && settings_.reflections == Reflections::off;
+  if (same) set->witness_lit = std::move(witness_lit_);  // else none is excused
   set->lit_pairs = reference_->lit_pairs();
   set->texels = reference_->texels();
   set->triangles_replaced = triangles_replaced_;

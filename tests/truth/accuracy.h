@@ -28,6 +28,7 @@ inline Settings promised(const char* preset_id, const std::string& name, const S
   s.attenuation = Attenuation::windowed;
   s.range.kind = RangeKind::source;
   s.colour = Colour::srgb;
+  s.shadows = Shadows::off;  // the promise is about what is stored, not about what a shadow map knows
   s.view = {};
   return s;
 }

@@ -69,8 +69,9 @@ TEST_F(ReferenceGl, TheWitnessAgreesForEveryTruth) {
       Settings s = base;
       o.set(s, r.id, o);
       if (s.lights.source == LightSource::rig) continue;  // reads a file
-      if (s.shadows != Shadows::off) {
-        EXPECT_TRUE(truth_of(s, scene)->witness_lit.empty()) << "a shadow map is no witness of exact shadows";
+      if (s.shadows != Shadows::off || s.reflections != Reflections::off) {
+        EXPECT_TRUE(truth_of(s, scene)->witness_lit.empty())
+            << "no map and no mirror's picture is a witness of exact rays";
         continue;
       }
       expect_only_float_noise(*truth_of(s, scene), fmt::format("{}={}", o.path, r.id));
