@@ -37,6 +37,11 @@ vec2 uv_of(int map) { return uv0; }
 uniform vec2 transmission;  // share that goes through, index of the air over that of the material
 #endif
 
+#if REFRACTS
+// No metal is clear.
+float through_share() { return transmission.x * (1.0 - texture(roughness_map, uv_of(ROUGHNESS_MAP)).b * factors.y); }
+#endif
+
 vec4 tint() {
   vec4 base = texture(base_colour_map, uv_of(BASE_COLOUR_MAP)) * base_colour * colour;
 #if ALBEDO_WHITE
@@ -48,7 +53,7 @@ vec4 tint() {
 vec4 material_base() {
   vec4 base = tint();
 #if REFRACTS
-  base.rgb *= 1.0 - transmission.x;  // the rest comes through: reflection.frag
+  base.rgb *= 1.0 - through_share();  // the rest comes through: reflection.frag
 #endif
   return base;
 }

@@ -19,7 +19,8 @@ layout(location = 0) out vec4 radiance;
 // As seen from the surface: where the ray leaves the scene's box, as the cube's middle sees it.
 vec3 bent(vec3 direction) {
 #if MIRROR_BOX
-  vec3 away = (mix(box_low, box_high, greaterThan(direction, vec3(0.0))) - relative) / direction;
+  vec3 slant = mix(direction, vec3(1e-20), equal(direction, vec3(0.0)));  // along a wall: it never meets it
+  vec3 away = (mix(box_low, box_high, greaterThan(slant, vec3(0.0))) - relative) / slant;
   float reach = max(min(away.x, min(away.y, away.z)), 0.0);
   return relative + reach * direction - side_centre;
 #else
@@ -50,7 +51,7 @@ void main() {
   vec3 sum = share * seen;
 #if REFRACTS && !MIRROR_FLAT
   // Bent once: where the light enters. Where it leaves is not known here.
-  sum += (1.0 - share) * transmission.x * tint().rgb * seen_along(refract(-to_eye, s.normal, transmission.y));
+  sum += (1.0 - share) * through_share() * tint().rgb * seen_along(refract(-to_eye, s.normal, transmission.y));
 #endif
   // What stood for it: ambient light on the gloss.
   radiance = vec4(sum - shading.z * (s.ambient - s.occlusion * s.albedo), 0.0);

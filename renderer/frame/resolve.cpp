@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "renderer/gbuffer/layouts.h"
+#include "renderer/reflection/mirrors.h"
 
 namespace gbl {
 namespace {
@@ -37,13 +38,13 @@ constexpr double kBeforeScene = 0.999;  // of the distance: rounding must not cu
 
 }  // namespace
 
-MaterialNeeds needs_of(const Scene& scene) {
+MaterialNeeds needs_of(const Scene& scene, bool refraction) {
   MaterialNeeds needs;
   std::vector<bool> used(scene.materials.size());
   for (const Instance& i : scene.instances) used[static_cast<size_t>(i.material)] = true;
   for (size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& m = scene.materials[i];
-    if (!used[i] || m.alpha_mode == AlphaMode::blend) continue;  // transparent surfaces are never stored
+    if (!used[i] || blends(m, refraction)) continue;  // never stored
     needs.metal |= m.metal > 0;
     needs.emission |= m.unlit || m.emissive != glm::vec3(0);
     needs.occlusion |= m.occlusion_texture.texture != kNoTexture && m.occlusion_strength > 0;
@@ -82,11 +83,11 @@ Resolved resolve(const Settings& s, const Scene& scene) {
     out.notes.push_back(fmt::format("layout: {}{}", row(layout).label, why));
   };
   if (s.layout == Layout::auto_) {
-    LayoutChoice choice = choose_layout(needs_of(scene));
+    LayoutChoice choice = choose_layout(needs_of(scene, s.reflections == Reflections::on));
     choose(choice.layout, "");
     append(out.notes, std::move(choice.left_out));
   } else {
-    const MaterialNeeds needs = needs_of(scene);
+    const MaterialNeeds needs = needs_of(scene, s.reflections == Reflections::on);
     for (const Successor& next : facts(s.layout).successors)
       if (needs.has(next.when)) {
         choose(next.layout, why_of(next.when));

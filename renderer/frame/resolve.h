@@ -15,7 +15,8 @@ struct MaterialNeeds {
   bool any() const { return metal || emission || occlusion || specular; }
   bool has(MaterialHas) const;
 };
-MaterialNeeds needs_of(const Scene&);
+// refraction: are clear materials stored, too?
+MaterialNeeds needs_of(const Scene&, bool refraction = false);
 
 // The smallest layout that holds these needs, and what it leaves out, a sentence each.
 struct LayoutChoice {

@@ -47,14 +47,15 @@ void take_camera(ResolvedFrame& f) {
 }
 
 // lights: all there are. One that is drawn alone has the shadow that it has among the others.
-void take_shadows(ResolvedFrame& f, const Scene& scene, const std::vector<Light>& lights) {
+// camera: as it was asked for, whose planes do not follow the scene.
+void take_shadows(ResolvedFrame& f, const Scene& scene, const std::vector<Light>& lights, const Camera& camera) {
   const Settings& s = f.settings;
   if (s.shadows == Shadows::off) return;
   const auto texels = [](ShadowMapSize size) { return 256 << static_cast<int>(size); };
   const bool once = s.shadow.update == ShadowUpdate::once && s.time_s != 0;
   Settings at_first = s;
   at_first.time_s = 0;
-  f.shadows = plan_shadows(once ? all_lights_of(at_first, scene) : lights, s.camera, f.aspect, scene.bounds,
+  f.shadows = plan_shadows(once ? all_lights_of(at_first, scene) : lights, camera, f.aspect, scene.bounds,
                            {.map_texels = texels(s.shadow.map_size),
                             .cascades = s.shadow.cascades,
                             .most_lights = s.shadow.max_lights,
@@ -82,7 +83,11 @@ void take_mirrors(ResolvedFrame& f, const Scene& scene) {
   }
   for (Mirror& m : all) m.flat = m.flat && s.reflect.method == ReflectMethod::planar;
   // From behind, a plane shows nothing.
-  std::erase_if(all, [&](const Mirror& m) { return m.flat && m.plane.distance(s.camera.position) <= 0; });
+  for (Mirror& m : all)
+    if (m.two_sided) m.plane = facing(m.plane, s.camera);
+  std::erase_if(all, [&](const Mirror& m) { return m.flat && !faces(m.plane, s.camera); });
+  // A mirror without its picture is a dull surface, but glass is a hole.
+  std::stable_partition(all.begin(), all.end(), [](const Mirror& m) { return m.clear; });
   if (all.size() > kMostMirrors) {
     f.choices.push_back(fmt::format("{} of {} mirrors show nothing: a frame draws {}", all.size() - kMostMirrors,
                                     all.size(), kMostMirrors));
@@ -133,7 +138,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   f.light_work = estimate_work(f.settings, f.lights);
   take_attachments(f);
   take_camera(f);
-  take_shadows(f, scene, all);
+  take_shadows(f, scene, all, s.camera);
   take_mirrors(f, scene);
   f.light_sum_scale = light_sum_scale(f.settings.exposure);
   f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;

@@ -189,9 +189,11 @@ Material material_of(const tinygltf::Material& from, size_t index, Job& job) {
   to.unlit = extension(from.extensions, "KHR_materials_unlit") != nullptr;
   if (const auto* ior = extension(from.extensions, "KHR_materials_ior"))
     to.refraction_index = refraction_index(number(*ior, "ior", 1.5));
-  // Its texture is not read: what it would vary goes through everywhere.
-  if (const auto* clear = extension(from.extensions, "KHR_materials_transmission"))
+  if (const auto* clear = extension(from.extensions, "KHR_materials_transmission")) {
     to.transmission = within(number(*clear, "transmissionFactor", 0), 0, 1);
+    if (clear->Has("transmissionTexture"))
+      job.note(fmt::format("material '{}': its transmission texture is not read; it is as clear everywhere", to.name));
+  }
   if (const auto* specular = extension(from.extensions, "KHR_materials_specular")) read_specular(*specular, to, job);
   return to;
 }

@@ -61,18 +61,18 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
   for (const Mirror* m : mirrors) {
     Camera like;
     like.near = s.camera.near, like.far = s.camera.far;
-    wanted.push_back(in_a_mirror(s, side_camera(m->centre, 0, texels, like)));
+    wanted.push_back(in_a_mirror(s, side_camera(*m, 0, texels, like)));
     wanted.back().size = glm::ivec2(texels);
   }
   // They do not depend on where the camera is.
-  if (wanted == t.held && t.scene.lock() == scene.shared_scene()) return 0;
+  if (wanted == t.held && f.lights == t.lights && t.scene.lock() == scene.shared_scene()) return 0;
   t.held.clear();
   int calls = 0;
   for (size_t k = 0; k < mirrors.size(); ++k) {
     Targets& frame = nested(t.side_frame, {.nested = true, .object = mirrors[k]->object});
     for (int side = 0; side < kCubeFaces; ++side) {
       Settings one = wanted[k];
-      one.camera = side_camera(one.camera.position, side, texels, s.camera);
+      one.camera = side_camera(*mirrors[k], side, texels, s.camera);
       calls += renderer.render(one, scene, frame).draw_calls;
       const gl::Texture& lit = *frame.frame.texture(Stores::lit);
       if (side == 0 && k == 0)
@@ -83,7 +83,7 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
       copy_lit(frame, t.sides.framebuffer, {side * texels, static_cast<int>(k) * texels});
     }
   }
-  t.held = wanted, t.scene = scene.shared_scene();
+  t.held = wanted, t.lights = f.lights, t.scene = scene.shared_scene();
   return calls;
 }
 

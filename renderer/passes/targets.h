@@ -67,6 +67,7 @@ struct MirrorTargets {
   // What the squares hold, so that what has not changed is not drawn again:
   std::weak_ptr<const Scene> scene;
   std::vector<Settings> held;
+  std::vector<Light> lights;  // a rig's file may have changed
 };
 
 struct Targets {

@@ -31,13 +31,15 @@ Plane moved(const Plane& p, const glm::dmat4& world_from_object) {
   return {normal, glm::dot(normal, at)};
 }
 
-glm::dvec3 centre_of(const Mesh& mesh, const glm::dmat4& world_from_object) {
+void take_box(Mirror& m, const Mesh& mesh, const glm::dmat4& world_from_object) {
   glm::dvec3 low(INFINITY), high(-INFINITY);
   for (const Vertex& v : mesh.vertices) {
     const glm::dvec3 p = world_from_object * glm::dvec4(v.position, 1);
     low = glm::min(low, p), high = glm::max(high, p);
   }
-  return (low + high) / 2.0;
+  const glm::dvec3 half = (high - low) / 2.0;
+  m.centre = (low + high) / 2.0;
+  m.radius = std::min({half.x, half.y, half.z});
 }
 
 }  // namespace
@@ -50,6 +52,17 @@ bool refracts(const Material& m) { return smooth(m) && m.transmission > 0 && m.a
 
 bool is_mirror(const Material& m) { return (smooth(m) && m.alpha_mode == AlphaMode::opaque) || refracts(m); }
 
+bool blends(const Material& m, bool refraction) {
+  return m.alpha_mode == AlphaMode::blend && !(refraction && refracts(m));
+}
+
+// Parallel rays see one side of a plane wherever the camera stands.
+bool faces(const Plane& p, const Camera& c) {
+  return c.orthographic() ? glm::dot(c.forward(), p.normal) < 0 : p.distance(c.position) > 0;
+}
+
+Plane facing(const Plane& p, const Camera& c) { return faces(p, c) ? p : Plane{-p.normal, -p.offset}; }
+
 std::vector<Mirror> mirrors_of(const Scene& scene) {
   std::vector<Mirror> out;
   for (size_t i = 0; i < scene.instances.size(); ++i) {
@@ -58,9 +71,10 @@ std::vector<Mirror> mirrors_of(const Scene& scene) {
     const Material& material = scene.materials[static_cast<size_t>(in.material)];
     if (!is_mirror(material) || mesh.indices.empty() || glm::determinant(glm::dmat3(in.world_from_object)) == 0)
       continue;
-    Mirror m{.object = static_cast<int>(i) + 1, .centre = centre_of(mesh, in.world_from_object)};
+    Mirror m{.object = static_cast<int>(i) + 1, .clear = refracts(material), .two_sided = material.double_sided};
+    take_box(m, mesh, in.world_from_object);
     const std::optional<Plane> plane = plane_of(mesh);
-    m.flat = plane && material.normal_texture.texture == kNoTexture && !material.double_sided && !refracts(material);
+    m.flat = plane && material.normal_texture.texture == kNoTexture && !m.clear;
     if (m.flat) m.plane = moved(*plane, in.world_from_object);
     out.push_back(m);
   }
@@ -80,12 +94,14 @@ Camera mirrored(const Camera& c, const Plane& p) {
 
 double side_tangent(int texels) { return texels / (texels - 2.0); }
 
-Camera side_camera(const glm::dvec3& centre, int side, int texels, const Camera& like) {
+Camera side_camera(const Mirror& m, int side, int texels, const Camera& like) {
   Camera out;
-  out.position = centre;
+  out.position = m.centre;
   out.orientation = glm::normalize(glm::quat_cast(glm::transpose(view_of_cube_face(side))));
   out.fov = 2 * glm::degrees(std::atan(side_tangent(texels)));
-  out.near = like.near, out.far = like.far;
+  // What stands close to a small object is nearer than the view's near plane.
+  out.near = m.radius > 0 ? std::min(like.near, 0.5 * m.radius) : like.near;
+  out.far = like.far;
   return out;
 }
 

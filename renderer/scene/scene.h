@@ -98,11 +98,6 @@ struct Material {
   float transmission = 0;  // share of the light that does not bounce off but goes through (KHR_materials_transmission)
 };
 
-// Drawn over the lit picture, and stored in no G-buffer. Clear materials are stored where they refract.
-inline bool blends(const Material& m, bool refraction) {
-  return m.alpha_mode == AlphaMode::blend && !(refraction && m.transmission > 0);
-}
-
 // Each texture that a material reads, in the order of shaders/shared.h.
 template <class M>  // Material, const or not
 auto texture_uses(M& m) {
@@ -149,6 +144,7 @@ struct Light {
   double inner_cos = 1, outer_cos = 0;  // of a spot: full within the inner cone, none outside the outer
   glm::dvec3 coefficients{0};           // its own falloff 1/(x + y d + z d^2), before the settings'; all 0: none
   double profile_range = 0;             // what the settings' falloff is a function of; set by lights_of()
+  bool operator==(const Light&) const = default;
 };
 
 // How a scene places N generated lights: on a grid of side ceil(sqrt(N)), turning about a vertical axis.

@@ -32,7 +32,7 @@ MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<
   }
   if (!any) return;
   rays_ = rays ? std::move(rays) : std::make_shared<const RayScene>(scene);
-  textures_.emplace(scene);
+  textures_.emplace(scene, s.colour == Colour::srgb);
 }
 
 bool MirrorSight::mirrors(const SeenSurface& s) const { return rays_ && is_mirror(material_of(scene_, s.object)); }
@@ -104,7 +104,7 @@ Through MirrorSight::refracted_rays(const TruthSurface& s, const SeenSurface& su
   glm::dvec3 direction = glm::refract(-s.to_eye, s.normal, 1 / index);
   for (int k = 0; k < kMostWithin; ++k) {
     const auto hit = own.first_hit({place, direction, own.least_distance(place), kEndless});
-    if (!hit) return {bundle(direction)};  // not closed: as a thin sheet
+    if (!hit) return {bundle(direction)};  // not closed: bent once
     place += hit->distance * direction, come += hit->distance;
     glm::dvec3 inwards = normal_at(*hit);
     if (glm::dot(inwards, direction) > 0) inwards = -inwards;
@@ -123,7 +123,10 @@ std::optional<SeenTexel> MirrorSight::seen(const RayBundle& rays, const SeenSurf
   const glm::dvec3 place = ray.origin + settings_.camera.position;
   RayPart part{place, ray.direction, rays_->least_distance(place), kEndless};
   std::optional<SurfaceHit> hit = rays_->first_hit(part);
-  while (hit && hit->surface.object == from.object && hit->from_behind) {
+  const auto culled = [&](const SurfaceHit& h) {
+    return h.from_behind && (h.surface.object == from.object || !material_of(scene_, h.surface.object).double_sided);
+  };
+  while (hit && culled(*hit)) {
     part.from = hit->distance;
     hit = rays_->first_hit(part);
   }

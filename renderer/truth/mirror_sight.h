@@ -36,7 +36,8 @@ class MirrorSight {
   // often. What is reflected within where it could leave is lost.
   static constexpr int kMostWithin = 16;
   Through refracted_rays(const TruthSurface&, const SeenSurface&) const;
-  // What it meets; empty: the background. A smooth object of flat triangles does not meet itself from within.
+  // What it meets; empty: the background. Back faces of single-sided surfaces are not seen, as in a frame; nor is a smooth
+  // object of flat triangles by itself from within.
   std::optional<SeenTexel> seen(const RayBundle&, const SeenSurface& from) const;
 
  private:

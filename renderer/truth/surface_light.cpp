@@ -25,8 +25,18 @@ glm::dvec3 background_radiance(const Settings& s, const glm::dvec3& direction) {
   return glm::mix(glm::dvec3(0.62, 0.74, 0.86), glm::dvec3(0.10, 0.24, 0.55), std::pow(height, 0.6));
 }
 
+// What is mirrored is seen as in a frame without mirrors: what is clear is drawn as it is there, too.
+static Settings without_reflections(Settings s) {
+  s.reflections = Reflections::off;
+  return s;
+}
+
 SurfaceLight::SurfaceLight(const Settings& s, const Scene& scene)
-    : settings_(s), geometry_(s, scene), model_(s), sight_(s, scene), mirrors_(s, scene, sight_.rays()) {
+    : settings_(s),
+      geometry_(without_reflections(s), scene),
+      model_(s),
+      sight_(s, scene),
+      mirrors_(s, scene, sight_.rays()) {
   for (const Light& l : true_lights(s, scene)) lights_.push_back({l, l.position - s.camera.position});
 }
 

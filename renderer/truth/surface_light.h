@@ -40,7 +40,7 @@ class SurfaceLight {
   Mirrored seen_along(const RayBundle&, const SeenSurface& from) const;
 
   const Settings& settings_;
-  TruthGeometry geometry_;  // of what is mirrored: as it is, not as a layout would store it
+  TruthGeometry geometry_;  // of what is mirrored: as it is, not as a layout would store it; without mirrors
   ShadingModelOf model_;
   LightSight sight_;
   MirrorSight mirrors_;

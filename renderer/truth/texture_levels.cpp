@@ -43,19 +43,18 @@ glm::dvec4 base_texel(const Texture& t, bool srgb, glm::ivec2 at) {
 
 }  // namespace
 
-TextureLevels::TextureLevels(const Scene& scene)
+TextureLevels::TextureLevels(const Scene& scene, bool srgb)
     : scene_(scene), srgb_(scene.textures.size()), linear_(scene.textures.size()) {
-  const auto add = [&](std::vector<Pyramid>& set, const TextureUse& use, bool srgb) {
+  const auto add = [&](const TextureUse& use, bool decodes) {
     if (use.texture == kNoTexture) return;
-    Pyramid& p = set[static_cast<size_t>(use.texture)];
-    if (p.levels.empty()) p = pyramid_of(scene.textures[static_cast<size_t>(use.texture)], srgb);
+    Pyramid& p = (decodes ? srgb_ : linear_)[static_cast<size_t>(use.texture)];
+    if (p.levels.empty()) p = pyramid_of(scene.textures[static_cast<size_t>(use.texture)], decodes);
   };
   for (const Material& m : scene.materials) {
-    // colour=as-tutorial reads codes as if linear.
     for (const TextureUse* use : {&m.base_colour_texture, &m.emissive_texture, &m.specular_colour_texture})
-      add(srgb_, *use, true), add(linear_, *use, false);
+      add(*use, srgb);
     for (const TextureUse* use : {&m.normal_texture, &m.roughness_texture, &m.occlusion_texture, &m.specular_texture})
-      add(linear_, *use, false);
+      add(*use, false);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// The textures of a scene as a sampler reads them, in double: mipmaps, and four texels of two levels by the footprint that is
-// asked for (OpenGL 4.6, section 8.14, with the exact square root for the scale factor).
+// The textures of a scene as a trilinear sampler reads them, in double: mipmaps, and four texels of two levels by the footprint
+// that is asked for (OpenGL 4.6, section 8.14, with the exact square root for the scale factor). Filters that take the nearest
+// texel or level are not told apart; a texture without mipmaps is read at its largest level.
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -10,7 +11,8 @@ namespace gbl {
 
 class TextureLevels {
  public:
-  explicit TextureLevels(const Scene&);  // which must outlive it
+  // The scene must outlive it. srgb: are colours decoded when they are read?
+  TextureLevels(const Scene&, bool srgb);
 
   // uv of the texel's place, and how it changes to the next pixel right and below. 0..1, linear: what is coded in sRGB is
   // decoded first, where `srgb` says so. White without a texture.

@@ -112,8 +112,9 @@ TruthMaterial TruthGeometry::material_at(const Material& m, const Vertex* const 
   out.base = glm::dvec3(texel.base) * colour_factor(glm::dvec3(m.base_colour), settings_.colour) * vertex_colour;
   if (settings_.albedo == AlbedoSource::white) out.base = glm::dvec3(1);
   if (settings_.reflections == Reflections::on && refracts(m)) {
-    out.through = double(m.transmission) * out.base;
-    out.base *= 1 - double(m.transmission);
+    const double through = double(m.transmission) * (1 - double(texel.seen.w) * m.metal);  // no metal is clear
+    out.through = through * out.base;
+    out.base *= 1 - through;
   }
   out.metal = double(texel.seen.w) * m.metal;
   out.roughness = double(texel.seen.z) * m.roughness;

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "renderer/picture/srgb.h"
+#include "renderer/reflection/mirrors.h"
 #include "renderer/truth/texture_at.h"
 
 namespace gbl {

@@ -108,6 +108,22 @@ TEST(GltfMaterial, ReflectanceOfNonMetals) {
   }
 }
 
+TEST(GltfMaterial, TransmissionIsHowMuchGoesThrough) {
+  GltfFile file = textured_file();
+  json& material = file.doc["materials"][0];
+  EXPECT_EQ(file.load().materials.at(0).transmission, 0);
+  file.doc["extensionsRequired"] = {"KHR_materials_transmission"};
+  for (const auto& [factor, read] : {std::pair{0.75, 0.75f}, {-1.0, 0.0f}, {7.0, 1.0f}}) {
+    material["extensions"] = {{"KHR_materials_transmission", {{"transmissionFactor", factor}}}};
+    EXPECT_EQ(file.load().materials.at(0).transmission, read) << factor;
+  }
+  material["extensions"]["KHR_materials_transmission"]["transmissionTexture"] = {{"index", 0}};
+  const std::vector<std::string> warnings = file.load().warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
+    return w.find("transmission texture is not read") != std::string::npos;
+  }));
+}
+
 TEST(GltfMaterial, TextureTransformTurnsCounterClockwiseAsSeen) {
   GltfFile file = textured_file();
   json& use = file.doc["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];

@@ -55,7 +55,7 @@ TEST(Mirrors, SixSidesHoldEveryDirectionWithATexelToSpare) {
       const glm::dvec3 d(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
       int holding = 0;
       for (int side = 0; side < 6; ++side) {
-        const Camera c = side_camera({1, 2, 3}, side, texels, like);
+        const Camera c = side_camera({.centre = {1, 2, 3}}, side, texels, like);
         const glm::dvec3 at = on_picture(c, c.position + 10.0 * d, 1);
         const bool before = glm::dot(d, c.forward()) > 0;
         holding += before && std::max(std::abs(at.x), std::abs(at.y)) <= 1 - 2.0 / texels + 1e-9;
@@ -81,6 +81,38 @@ TEST(Mirrors, AreFlatWhereOnePlaneHoldsThem) {
   EXPECT_FALSE(mirrors_of(s)[0].flat) << "its normals are a dent's";
   s.materials[0].roughness = 0.21f;
   EXPECT_TRUE(mirrors_of(s).empty()) << "too rough for a sharp image";
+}
+
+// Parallel rays see a plane's front by its direction, wherever the camera stands; a sheet with two sides shows the nearer.
+TEST(Mirrors, FaceACameraOrTurnTheirOtherSide) {
+  Camera c;
+  c.position = {0, 5, 0};
+  c.orientation = orientation_from_yaw_pitch(0, -90);
+  const Plane up{{0, 1, 0}, 0}, slanted{glm::normalize(glm::dvec3(1, 1, 0)), 10};
+  EXPECT_TRUE(faces(up, c));
+  EXPECT_FALSE(faces(slanted, c)) << "the camera is behind it";
+  c.orthographic_height = 4;
+  EXPECT_TRUE(faces(slanted, c)) << "its rays come from above";
+  EXPECT_EQ(facing({{0, -1, 0}, 1}, c).normal, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(facing({{0, -1, 0}, 1}, c).offset, -1);
+}
+
+// Near its middle, where a small object's neighbours are, a cube sees what the view's near plane would cut.
+TEST(Mirrors, SeeWhatIsCloserThanTheViewsNearPlane) {
+  Camera like;
+  like.near = 1, like.far = 100;
+  EXPECT_EQ(side_camera({.centre = {}, .radius = 0.2}, 0, 64, like).near, 0.1);
+  EXPECT_EQ(side_camera({.centre = {}, .radius = 9}, 0, 64, like).near, 1);
+}
+
+TEST(Mirrors, ClearMaterialsAreStoredWhereTheyRefract) {
+  Material glass{.roughness = 0.05f, .alpha_mode = AlphaMode::blend, .transmission = 1};
+  EXPECT_TRUE(blends(glass, false));
+  EXPECT_FALSE(blends(glass, true));
+  glass.roughness = 0.5f;
+  EXPECT_TRUE(blends(glass, true)) << "frosted: no sharp image comes through, it stays what it was";
+  glass.transmission = 0, glass.roughness = 0.05f;
+  EXPECT_TRUE(blends(glass, true));
 }
 
 TEST(Mirrors, OfTheRoomAreTheMirrorTheBallsAndTheVases) {

@@ -256,7 +256,7 @@ class Advisor {
   // Values that would have been cheaper and failed, and what no material has.
   void say_what_is_left_out(const Settings& best) {
     for (const std::string& note : resolve(best, scene_).notes) advice_.left_out.push_back(note);
-    const MaterialNeeds needs = needs_of(scene_);
+    const MaterialNeeds needs = needs_of(scene_, best.reflections == Reflections::on);
     const auto say_if = [&](bool missing, const char* what) {
       if (missing) advice_.left_out.push_back(fmt::format("{}: no material of the scene has any", what));
     };
