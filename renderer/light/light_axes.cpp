@@ -71,16 +71,16 @@ constexpr ValueRow kShadowStable[] = {
 };
 constexpr ValueRow kShadowPoint[] = {
   {.value = at(ShadowPoint::axis), .id = "axis", .label = "by the longest axis", .help = "of six maps the one that a cube map would read"},
-  {.value = at(ShadowPoint::brute_force), .id = "brute-force", .label = "by trying all six", .help = "the first of six maps that the point falls into", .cost = "up to six matrices a pixel and light", .source = "engine blog, part 31"},
+  {.value = at(ShadowPoint::brute_force), .id = "brute-force", .label = "by trying all six", .help = "the first of six maps that the point falls into", .cost = "up to six matrices a pixel and light", .source = "engine blog, part 30"},
 };
 constexpr ValueRow kShadowReach[] = {
   {.value = at(ShadowReach::fitted), .id = "fitted", .label = "fitted", .help = "from a thousandth of the light's range to its end, or to the end of the scene"},
-  {.value = at(ShadowReach::near_one), .id = "near-1", .label = "from 1 to 1.5 ranges", .help = "what is nearer to the light than one unit hides nothing", .source = "engine blog, part 31"},
+  {.value = at(ShadowReach::near_one), .id = "near-1", .label = "from 1 to 1.5 ranges", .help = "what is nearer to the light than one unit hides nothing", .source = "engine blog, part 30"},
 };
 constexpr ValueRow kShadowUpdate[] = {
   {.value = at(ShadowUpdate::changed), .id = "changed", .label = "when they change", .help = "a map is drawn once and again when its light, or of a sun what is seen, has moved: the bits of each-frame"},
   {.value = at(ShadowUpdate::each_frame), .id = "each-frame", .label = "each frame", .help = "all maps, whether they changed or not"},
-  {.value = at(ShadowUpdate::once), .id = "once", .label = "once", .help = "as lights stood at time 0: shadows stay behind when they move", .source = "engine blog, part 31"},
+  {.value = at(ShadowUpdate::once), .id = "once", .label = "once", .help = "as lights stood at time 0: shadows stay behind when they move"},
 };
 constexpr ValueRow kAttenuation[] = {
   {.value = at(Attenuation::none), .id = "none", .label = "none", .help = "full strength up to the range, then nothing"},

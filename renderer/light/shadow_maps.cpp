@@ -53,7 +53,8 @@ struct Planner {
   }
 
   void add_point(int light, const Light& l, std::vector<ShadowMap>& out) const {
-    for (int face = 0; face < kCubeFaces; ++face) out.push_back(perspective(light, l, view_of_cube_face(face, wishes.up_is_always_y), 1));
+    for (int face = 0; face < kCubeFaces; ++face)
+      out.push_back(perspective(light, l, view_of_cube_face(face, wishes.up_is_always_y), 1));
   }
 
   void add_spot(int light, const Light& l, std::vector<ShadowMap>& out) const {
@@ -184,8 +185,7 @@ ShadowPlan plan_shadows(std::span<const Light> lights, const Camera& camera, dou
                         const ShadowWishes& wishes) {
   const glm::dvec3 anchor = (scene.min + scene.max) / 2.0;
   const Planner planner{camera, aspect, scene, wishes, anchor};
-  ShadowPlan plan{.anchor = anchor,
-                  .first_map = std::vector<int>(lights.size(), -1), .map_texels = wishes.map_texels};
+  ShadowPlan plan{.anchor = anchor, .first_map = std::vector<int>(lights.size(), -1), .map_texels = wishes.map_texels};
   const int across = kMostShadowTexels / wishes.map_texels;
   const auto wants = [&](const Light& l, bool sun) {
     return (l.kind == LightKind::directional) == sun && (sun || (!wishes.suns_only && l.range > 0));

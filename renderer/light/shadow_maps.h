@@ -37,9 +37,9 @@ struct ShadowPlan {
 struct ShadowWishes {
   int map_texels = 1024, cascades = 3, most_lights = 8;
   bool suns_only = false;
-  bool stable = true;             // a sun's maps move by whole texels, and their size follows no turn of the camera
-  bool near_one = false;          // maps of points and spots from 1 unit to 1.5 ranges, as the engine blog has them
-  bool up_is_always_y = false;    // Mistake::cube_lookat_up
+  bool stable = true;           // a sun's maps move by whole texels, and their size follows no turn of the camera
+  bool near_one = false;        // maps of points and spots from 1 unit to 1.5 ranges, as the engine blog has them
+  bool up_is_always_y = false;  // Mistake::cube_lookat_up
 };
 
 // Suns come first, then the others in their order.

@@ -191,7 +191,7 @@ Settings viewspace() {
   s.position.source = PositionSource::view_scaled;
   s.depth.format = DepthFormat::d24;
   s.tangents = Tangents::matrix_columns;
-  // Part 31, lsRenderShadowMapsForPointLight, and three cascades of the sun.
+  // #3, lsRenderShadowMapsForPointLight, and three cascades of the sun.
   s.shadows = Shadows::all;
   s.shadow.cull = ShadowCull::front;
   s.shadow.bias = s.shadow.slope_bias = 0;

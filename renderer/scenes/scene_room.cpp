@@ -24,8 +24,10 @@ Profile curved(const Profile& points) {
   for (size_t k = 0; k + 1 < points.size(); ++k) {
     const glm::dvec2 a = points[k > 0 ? k - 1 : 0], b = points[k], c = points[k + 1];
     const glm::dvec2 d = points[std::min(k + 2, points.size() - 1)];
-    for (double t = 0; t < 1; t += 0.25)
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double t = 0.25 * quarter;
       curve.push_back(b + 0.5 * t * (c - a + t * (2.0 * a - 5.0 * b + 4.0 * c - d + t * (3.0 * (b - c) + d - a))));
+    }
   }
   curve.push_back(points.back());
   return curve;

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/resolved_frame.h"
 #include "renderer/inspect/views.h"
 #include "renderer/light/light_volume.h"
-#include "renderer/frame/resolved_frame.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/presets.h"
 #include "renderer/scenes/builtin_scenes.h"

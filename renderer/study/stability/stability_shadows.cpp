@@ -7,11 +7,17 @@ namespace {
 
 std::vector<double> biases() { return {0.0625, 0.125, 0.25, 0.5, 1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64}; }
 
+std::shared_ptr<const Scene> stage() {
+  Scene scene = build_bias();
+  scene.name = "sweep:shadow-bias";
+  return std::make_shared<const Scene>(std::move(scene));
+}
+
 // Stairs, thin boards and slopes under a sun, a lamp and a spot, all but the shadows exact. The truth is one for all points.
 SweepSetup biased_by(double texels) {
-  static const auto scene = std::make_shared<const Scene>(build_bias());
+  static const std::shared_ptr<const Scene> scene = stage();
   Settings s;
-  s.scene = "sweep:shadow-bias";
+  s.scene = scene->name;
   s.size = {160, 90};
   s.camera = scene->camera;
   s.lights.source = LightSource::scene;
