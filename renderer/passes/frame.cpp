@@ -77,7 +77,9 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
     const gl::PassScope scope(targets.timers, "mirrors");
     mirrored_calls = draw_mirrored(*this, asked, *resolved, scene, targets.mirrors);
   }
-  Frame frame = frame_of(asked, scene, targets);
+  // As it was resolved above: the frames in mirrors may have pushed it out of the resolver's memory.
+  Frame frame(resolved, asked.view, scene, targets, programs_, shapes_);
+  upload_frame_block(frame);
   upload_lights(frame);
   FrameReport report = report_of(*resolved, asked, targets);
   report.draw_calls = mirrored_calls;
