@@ -60,6 +60,19 @@ inline Scene make_yard(double origin = 0) {
   return s;
 }
 
+// Of a scene under its own lights, everything stored and summed in floats: what is left is what the test is about.
+inline Settings float_settings(const Scene& scene, glm::ivec2 size = {192, 108}) {
+  Settings s;
+  s.scene = scene.name;
+  s.size = size;
+  s.camera = scene.camera;
+  s.lights.source = LightSource::scene, s.lights.method = LightMethod::fullscreen;
+  s.layout = Layout::float32, s.normal.encoding = NormalEncoding::xyz32f;
+  s.position.source = PositionSource::view32f;
+  s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
+  return s;
+}
+
 inline const GpuScene& yard() {
   static const GpuScene scene(std::make_shared<const Scene>(make_yard()));
   return scene;

@@ -9,10 +9,6 @@
 namespace gbl {
 namespace {
 
-void append(std::vector<std::string>& to, std::vector<std::string> more) {
-  for (std::string& m : more) to.push_back(std::move(m));
-}
-
 bool has_unlit(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const Material& m) { return m.unlit && m.alpha_mode != AlphaMode::blend; });
@@ -85,7 +81,7 @@ Resolved resolve(const Settings& s, const Scene& scene) {
   if (s.layout == Layout::auto_) {
     LayoutChoice choice = choose_layout(needs_of(scene, s.reflections == Reflections::on));
     choose(choice.layout, "");
-    append(out.notes, std::move(choice.left_out));
+    for (const std::string& what : choice.left_out) out.notes.push_back("not stored: " + what);
   } else {
     const MaterialNeeds needs = needs_of(scene, s.reflections == Reflections::on);
     for (const Successor& next : facts(s.layout).successors)

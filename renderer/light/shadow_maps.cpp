@@ -7,6 +7,7 @@
 namespace gbl {
 namespace {
 
+constexpr double kNearShare = 1e-3;  // the near plane of a point or spot light's map, of its far plane
 constexpr double kWidestSpot = 1.4;  // radians off its axis, beyond which one map has no room: it is cut there
 constexpr double kFilterTexels = 2;  // of a map's border, so that a filter finds its neighbours
 
@@ -42,7 +43,7 @@ struct Planner {
   ShadowMap perspective(int light, const Light& l, const glm::dmat3& view, double tan_half) const {
     const double fitted = std::min(l.range, 1.01 * farthest_from(l.position));
     const double far = wishes.near_one ? std::max(1.5 * std::min(l.range, fitted), 1.001) : fitted;
-    const double near = wishes.near_one ? 1 : kShadowNearShare * far;
+    const double near = wishes.near_one ? 1 : kNearShare * far;
     // So much wider that the outermost texels are the filter's.
     const double wide = tan_half * wishes.map_texels / (wishes.map_texels - 2 * kFilterTexels);
     const glm::dmat4 clip = glm::frustum(-wide * near, wide * near, -wide * near, wide * near, near, far);

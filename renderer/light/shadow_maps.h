@@ -12,7 +12,6 @@ namespace gbl {
 
 inline constexpr int kMostShadowTexels = 8192;  // to a side of the texture that holds all maps
 inline constexpr int kCubeFaces = 6;
-inline constexpr double kShadowNearShare = 1e-3;  // the near plane of a point or spot light's map, of its far plane
 
 struct ShadowMap {
   int light = 0;                     // index into the frame's lights
@@ -54,7 +53,7 @@ glm::dmat4 clip_from_relative(const ShadowPlan&, const ShadowMap&, const glm::dv
 // False where nothing in this box of the world can be drawn into the map.
 bool may_hide(const ShadowMap&, const glm::dvec3& anchor, const Bounds&);
 
-// A map that is not is not drawn and hides nothing.
+// A map whose matrix is not finite is not drawn, and hides nothing.
 bool is_finite(const glm::dmat4&);
 
 // Where cascades end along the view axis, from near to far: half way between equal parts and equal ratios (Zhang et al. 2006,

@@ -59,12 +59,11 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
     if (!m.flat) mirrors.push_back(&m);
   std::vector<Settings> wanted;
   for (const Mirror* m : mirrors) {
-    Camera like;
-    like.near = s.camera.near, like.far = s.camera.far;
-    wanted.push_back(in_a_mirror(s, side_camera(*m, 0, texels, like)));
+    wanted.push_back(in_a_mirror(s, side_camera(*m, 0, texels, s.camera)));
     wanted.back().size = glm::ivec2(texels);
+    wanted.back().time_s = 0;
   }
-  // They do not depend on where the camera is.
+  // They depend neither on where the camera is nor on the time, but on where the lights are then.
   if (wanted == t.held && f.lights == t.lights && t.scene.lock() == scene.shared_scene()) return 0;
   t.held.clear();
   int calls = 0;
@@ -72,6 +71,7 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
     Targets& frame = nested(t.side_frame, {.nested = true, .object = mirrors[k]->object});
     for (int side = 0; side < kCubeFaces; ++side) {
       Settings one = wanted[k];
+      one.time_s = s.time_s;
       one.camera = side_camera(*mirrors[k], side, texels, s.camera);
       calls += renderer.render(one, scene, frame).draw_calls;
       const gl::Texture& lit = *frame.frame.texture(Stores::lit);

@@ -37,14 +37,7 @@ SweepSetup mirrored_yard() {
   lamp.position = {16, 9, 20}, lamp.range = 60;
   scene->lights = {lamp};
   scene->bounds = bounds_of(*scene);
-  Settings s;
-  s.scene = scene->name;
-  s.size = {192, 108};
-  s.camera = scene->camera;
-  s.lights.source = LightSource::scene, s.lights.method = LightMethod::fullscreen;
-  s.layout = Layout::float32, s.normal.encoding = NormalEncoding::xyz32f;
-  s.position.source = PositionSource::view32f;
-  s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
+  Settings s = float_settings(*scene);
   s.shading.model = ShadingModel::ggx;
   s.reflections = Reflections::on;
   return {s, scene};
@@ -127,8 +120,14 @@ TEST_F(ReflectionsGl, ACubeIsDrawnWhenItChanges) {
   EXPECT_EQ(renderer.render(s, scene, targets).draw_calls, still);
   renderer.render(s, scene, anew);
   EXPECT_EQ(read_lit(targets), read_lit(anew));
+  s.time_s = 5;
+  EXPECT_EQ(renderer.render(s, scene, targets).draw_calls, still) << "its light stands still";
   s.ambient = 0.3;
   EXPECT_EQ(renderer.render(s, scene, targets).draw_calls, first);
+  s.lights.source = LightSource::generated, s.lights.count = 4;
+  renderer.render(s, scene, targets);
+  s.time_s = 6;
+  EXPECT_EQ(renderer.render(s, scene, targets).draw_calls, first) << "these move";
 }
 
 TEST_F(ReflectionsGl, OffTheirSettingsChangeNoBitAndNoMemory) {

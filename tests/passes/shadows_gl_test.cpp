@@ -41,14 +41,7 @@ Light spot_at(const glm::dvec3& at, const glm::dvec3& direction, double range) {
 SweepSetup yard_under(const char* name, std::vector<Light> lights, Shadows shadows = Shadows::all) {
   auto scene = std::make_shared<Scene>(make_yard());
   scene->name = name, scene->lights = std::move(lights);
-  Settings s;
-  s.scene = scene->name;
-  s.size = {192, 108};
-  s.camera = scene->camera;
-  s.lights.source = LightSource::scene, s.lights.method = LightMethod::fullscreen;
-  s.layout = Layout::float32, s.normal.encoding = NormalEncoding::xyz32f;
-  s.position.source = PositionSource::view32f;
-  s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
+  Settings s = float_settings(*scene);
   s.shading.model = ShadingModel::lambert;
   s.attenuation = Attenuation::none, s.range.kind = RangeKind::none;
   s.ambient = 0, s.exposure = 1;

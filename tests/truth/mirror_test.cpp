@@ -41,7 +41,7 @@ TEST(MirrorTruth, ShowsASquareWhereItsImageIs) {
   }
 }
 
-// By one light, so that all is told apart: what is mirrored, by the angle at which it is seen, and nothing of ambient light.
+// Without a light: a black surface shows the background by the angle at which it is seen, and nothing of ambient light.
 TEST(MirrorTruth, WeighsWhatItShowsByFresnel) {
   Scene scene = make_plane(50, Material{.name = "lacquer", .base_colour = {0, 0, 0, 1}, .roughness = 0.1f});
   Settings s = closed_settings();
