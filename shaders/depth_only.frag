@@ -2,6 +2,7 @@
 #include "material.glsl"
 
 void main() {
+  place_surface();
 #if ALPHA_MASK && !SHADOW_SOLID
   if (material_base().a < alpha_cutoff) discard;
 #endif

@@ -8,13 +8,14 @@ uniform float ambient_share;  // 1 in the draw that brings ambient light and emi
 layout(location = 0) out vec4 radiance;
 
 void main() {
+  place_surface();
   vec4 base = material_base();
 #if ALPHA_MASK
   if (base.a < alpha_cutoff) discard;
 #endif
 #if OUTPUT == OUTPUT_COUNT
   vec3 counts = vec3(0.0);
-  for (int i = light_span.x; i < light_span.y; ++i) counts += vec3(1.0, 1.0, reaches(read_light(i), relative) ? 1.0 : 0.0);
+  for (int i = light_span.x; i < light_span.y; ++i) counts += vec3(1.0, 1.0, reaches(read_light(i), sunk_position) ? 1.0 : 0.0);
   radiance = vec4(counts, 0.0);
 #else
   Surface s = material_surface(base);

@@ -30,6 +30,7 @@ layout(location = STORED_LIGHT) out vec4 out_light;
 #endif
 
 void main() {
+  place_surface();
   vec4 base = material_base();
 #if ALPHA_MASK
   if (base.a < alpha_cutoff) discard;

@@ -4,6 +4,7 @@
 layout(location = 0) out uvec4 id;
 
 void main() {
+  place_surface();
 #if ALPHA_MASK
   if (material_base().a < alpha_cutoff) discard;
 #endif

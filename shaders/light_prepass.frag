@@ -6,6 +6,7 @@ uniform sampler2D light_specular;
 layout(location = 0) out vec4 lit;
 
 void main() {
+  place_surface();
   vec4 base = material_base();
 #if ALPHA_MASK
   if (base.a < alpha_cutoff) discard;

@@ -1,5 +1,6 @@
 // From what a vertex brings to a Surface: textures, normal map, metal and roughness of glTF 2.0.
 #include "surface.glsl"
+#include "depth.glsl"
 
 in vec3 relative;
 in vec3 normal;
@@ -33,17 +34,60 @@ vec2 uv_of(int map) { return (uv_transform[map] * vec3(uv_set[map] == 0 ? uv0 : 
 vec2 uv_of(int map) { return uv0; }
 #endif
 
+// UVS_MOVED: for the reference, which knows where lines of sight end.
+#define SUNK (PARALLAX || UVS_MOVED && HEIGHTS)
+#if SUNK
+#include "parallax.glsl"
+vec3 sunk_position;
+vec2 uv_moved;
+vec2 moved_by(int map) {
+#if UV_TRANSFORMS
+  return uv_set[map] == 0 ? mat2(uv_transform[map]) * uv_moved : vec2(0.0);
+#else
+  return uv_moved;
+#endif
+}
+// As large as on the flat surface: texture coordinates jump from pixel to pixel where a higher place hides a lower one.
+vec4 read_map(sampler2D map, int which) {
+  vec2 uv = uv_of(which);
+  return textureGrad(map, uv + moved_by(which), dFdx(uv), dFdy(uv));
+}
+
+#if SHADOW_MAP
+uniform mat4 shadow_clip_from_anchored;
+#endif
+#if !UVS_MOVED && PARALLAX_DEPTH == PARALLAX_DEPTH_DISPLACED
+invariant gl_FragDepth;  // passes of other programs test for this very depth
+#endif
+// First of all: where the surface is.
+void place_surface() {
+  sink(relative, uv0, sunk_position, uv_moved);
+#if UVS_MOVED || PARALLAX_DEPTH == PARALLAX_DEPTH_FLAT
+  sunk_position = relative;
+#elif SHADOW_MAP
+  vec4 clip = shadow_clip_from_anchored * vec4(sunk_position, 1.0);
+  gl_FragDepth = clip.z / clip.w * 0.5 + 0.5;
+#else
+  gl_FragDepth = depth_from_range(dot(sunk_position, ray_forward.xyz));
+#endif
+}
+#else
+#define sunk_position relative
+vec4 read_map(sampler2D map, int which) { return texture(map, uv_of(which)); }
+void place_surface() {}
+#endif
+
 #if REFRACTS
 uniform vec2 transmission;  // share that goes through, index of the air over that of the material
 #endif
 
 #if REFRACTS
 // No metal is clear.
-float through_share() { return transmission.x * (1.0 - texture(roughness_map, uv_of(ROUGHNESS_MAP)).b * factors.y); }
+float through_share() { return transmission.x * (1.0 - read_map(roughness_map, ROUGHNESS_MAP).b * factors.y); }
 #endif
 
 vec4 tint() {
-  vec4 base = texture(base_colour_map, uv_of(BASE_COLOUR_MAP)) * base_colour * colour;
+  vec4 base = read_map(base_colour_map, BASE_COLOUR_MAP) * base_colour * colour;
 #if ALBEDO_WHITE
   base.rgb = vec3(1.0);
 #endif
@@ -87,7 +131,7 @@ vec3 shading_normal() {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   vec3 n = unit(normal) * side;
 #if NORMAL_MAP
-  vec3 texel = texture(normal_map, uv_of(NORMAL_MAP_)).xyz;
+  vec3 texel = read_map(normal_map, NORMAL_MAP_).xyz;
   mat3 frame = tangent_frame(n, side);
   if (dot(frame[0], frame[0]) > 0.0) {  // 0: the mesh has no tangents, so the map cannot be turned
 #if MISTAKE_TBN_PRECEDENCE
@@ -104,7 +148,7 @@ vec3 shading_normal() {
 // Specular colour texel, and the texel of its weight.
 vec4 specular_texel() {
 #if SPECULAR
-  return vec4(texture(specular_colour_map, uv_of(SPECULAR_COLOUR_MAP)).rgb, texture(specular_map, uv_of(SPECULAR_MAP)).a);
+  return vec4(read_map(specular_colour_map, SPECULAR_COLOUR_MAP).rgb, read_map(specular_map, SPECULAR_MAP).a);
 #else
   return vec4(1.0);
 #endif
@@ -123,17 +167,17 @@ vec3 material_dielectric() {
 Surface material_surface(vec4 base) {
   Surface s;
   s.present = true;
-  s.position = relative;
+  s.position = sunk_position;
   s.normal = shading_normal();
-  vec4 rough_metal = texture(roughness_map, uv_of(ROUGHNESS_MAP));
+  vec4 rough_metal = read_map(roughness_map, ROUGHNESS_MAP);
   float metal = rough_metal.b * factors.y;
   s.roughness = rough_metal.g * factors.x;
   s.exponent = exponent_of(s.roughness);
   s.metal = metal;
   s.albedo = base.rgb * (1.0 - metal);
   s.f0 = mix(material_dielectric(), base.rgb, metal);
-  s.emissive = texture(emissive_map, uv_of(EMISSIVE_MAP)).rgb * emissive;
-  s.occlusion = 1.0 + factors.w * (texture(occlusion_map, uv_of(OCCLUSION_MAP)).r - 1.0);
+  s.emissive = read_map(emissive_map, EMISSIVE_MAP).rgb * emissive;
+  s.occlusion = 1.0 + factors.w * (read_map(occlusion_map, OCCLUSION_MAP).r - 1.0);
 #if UNLIT && EMISSION_KEPT
   // Shown as it is, whatever the exposure: nothing reflects, the colour itself shines. A layout without emission lights it instead.
   s.emissive = base.rgb / shading.w;

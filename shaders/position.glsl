@@ -1,26 +1,8 @@
 // The surface point: how it is stored, and how it comes back. One function per position.source and
 // position.reconstruct. Positions are relative to the camera, along the world's axes.
-#include "shared.h"
+#include "depth.glsl"
 
 // ---- from depth --------------------------------------------------------------------------------------------
-#if DEPTH_REVERSED
-const float kFarDepth = 0.0;
-float depth_from_far(float depth) { return depth; }
-float ndc_of_depth(float depth) { return depth; }
-#else
-const float kFarDepth = 1.0;
-float depth_from_far(float depth) { return 1.0 - depth; }
-float ndc_of_depth(float depth) { return depth * 2.0 - 1.0; }
-#endif
-
-// Distance along the view axis, world units.
-float range_from_depth(float depth) {
-  if (ray_forward.w > 0.5) return planes.y - depth_from_far(depth) * planes.w;  // orthographic
-  // near far / (far - depth (far - near)), without its cancellation: 1 - depth is exact from 0.5 on. Near 1, far
-  // 10000 at 9000 units: the other form is off by 5 units in float, this one by 0.001.
-  return planes.z / (planes.x + depth_from_far(depth) * planes.w);
-}
-
 vec2 ndc_of_pixel(vec2 frag_coord) { return frag_coord * viewport.zw * 2.0 - 1.0; }
 
 vec3 position_by_view_ray(vec2 ndc, float range) {

@@ -8,6 +8,7 @@ noperspective in vec2 corner;  // barycentric coordinates on screen: of the seco
 #endif
 
 void main() {
+  place_surface();
 #if ALPHA_MASK
   if (material_base().a < alpha_cutoff) discard;
 #endif

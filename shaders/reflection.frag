@@ -39,6 +39,7 @@ vec3 seen_along(vec3 direction) {
 #endif
 
 void main() {
+  place_surface();
   Surface s = material_surface(material_base());
   vec3 to_eye = ray_forward.w > 0.5 ? -ray_forward.xyz : -normalize(s.position);
 #if MIRROR_FLAT

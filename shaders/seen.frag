@@ -10,13 +10,14 @@ layout(location = 3) out vec4 emission;  // emission texel
 layout(location = 4) out vec4 shine;     // specular colour's texel, specular weight's texel
 
 void main() {
+  place_surface();
 #if ALPHA_MASK
   if (material_base().a < alpha_cutoff) discard;
 #endif
-  vec4 rough_metal = texture(roughness_map, uv_of(ROUGHNESS_MAP));
+  vec4 rough_metal = read_map(roughness_map, ROUGHNESS_MAP);
   seen = vec4(float(object_id), float(triangle), rough_metal.g, rough_metal.b);
-  base = texture(base_colour_map, uv_of(BASE_COLOUR_MAP));
-  mapped = vec4(texture(normal_map, uv_of(NORMAL_MAP_)).xyz, texture(occlusion_map, uv_of(OCCLUSION_MAP)).r);
-  emission = texture(emissive_map, uv_of(EMISSIVE_MAP));
+  base = read_map(base_colour_map, BASE_COLOUR_MAP);
+  mapped = vec4(read_map(normal_map, NORMAL_MAP_).xyz, read_map(occlusion_map, OCCLUSION_MAP).r);
+  emission = read_map(emissive_map, EMISSIVE_MAP);
   shine = specular_texel();
 }

@@ -37,7 +37,7 @@
 #define RECORD_TEXTURE_WIDTH 512
 
 // The textures of a material, in this order wherever they are listed.
-#define MATERIAL_TEXTURES 7
+#define MATERIAL_TEXTURES 8
 #define BASE_COLOUR_MAP 0
 #define NORMAL_MAP_ 1
 #define ROUGHNESS_MAP 2
@@ -45,6 +45,7 @@
 #define OCCLUSION_MAP 4
 #define SPECULAR_MAP 5
 #define SPECULAR_COLOUR_MAP 6
+#define HEIGHT_MAP 7
 
 // What views.frag draws of a view.
 #define VIEW_AS_SHOWN 0

@@ -22,6 +22,21 @@ constexpr ValueRow kNormalMap[] = {
   {.value = at(NormalMap::on), .id = "on", .label = "on", .help = "normal maps bend the shading normal"},
   {.value = at(NormalMap::off), .id = "off", .label = "off", .help = "interpolated vertex normals only"},
 };
+constexpr ValueRow kHeightMap[] = {
+  {.value = at(HeightMap::off), .id = "off", .label = "off", .help = "surfaces are as flat as their triangles"},
+  {.value = at(HeightMap::on), .id = "on", .label = "on", .help = "surfaces with a height map lie below their triangles as it says; what hides what is told by the triangles"},
+};
+constexpr ValueRow kParallaxMethod[] = {
+  {.value = at(ParallaxMethod::none), .id = "none", .label = "none", .help = "surfaces stay flat"},
+  {.value = at(ParallaxMethod::offset), .id = "offset", .label = "offset", .help = "one look at the height where the flat surface is seen: right where the surface is level", .cost = "1 texel", .source = "Kaneko et al. 2001, Detailed Shape Representation with Parallax Mapping"},
+  {.value = at(ParallaxMethod::steep), .id = "steep", .label = "steep", .help = "down in equal steps, to the first below the surface: stairs as high as a step", .cost = "parallax.steps texels at most", .source = "McGuire and McGuire 2005, Steep Parallax Mapping"},
+  {.value = at(ParallaxMethod::occlusion), .id = "occlusion", .label = "occlusion", .help = "steep, then a straight line through the last two heights", .cost = "parallax.steps texels at most", .source = "Tatarchuk 2006, Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows"},
+  {.value = at(ParallaxMethod::relief), .id = "relief", .label = "relief", .help = "steep, then the last step is halved eight times", .cost = "parallax.steps texels at most, and 8", .source = "Policarpo et al. 2005, Real-Time Relief Mapping on Arbitrary Polygonal Surfaces"},
+};
+constexpr ValueRow kParallaxDepth[] = {
+  {.value = at(ParallaxDepth::displaced), .id = "displaced", .label = "displaced", .help = "the surface is stored, lit and shadowed where it is seen", .cost = "depth is written by the shader: no early test"},
+  {.value = at(ParallaxDepth::flat), .id = "flat", .label = "flat", .help = "only textures move: lights and shadows fall on the flat surface", .pitfall = Pitfall::parallax_flat_depth},
+};
 constexpr ValueRow kAlbedoSource[] = {
   {.value = at(AlbedoSource::textured), .id = "textured", .label = "textured", .help = "the material's own colour"},
   {.value = at(AlbedoSource::white), .id = "white", .label = "white", .help = "every surface white: the lighting alone"},
@@ -88,6 +103,9 @@ constexpr ValueRow kErrorScale[] = {
 GBL_ROWS(ShadingModel, kShadingModel)
 GBL_ROWS(BackgroundFill, kBackgroundFill)
 GBL_ROWS(NormalMap, kNormalMap)
+GBL_ROWS(HeightMap, kHeightMap)
+GBL_ROWS(ParallaxMethod, kParallaxMethod)
+GBL_ROWS(ParallaxDepth, kParallaxDepth)
 GBL_ROWS(AlbedoSource, kAlbedoSource)
 GBL_ROWS(Colour, kColour)
 GBL_ROWS(AccumulationFormat, kAccumulationFormat)

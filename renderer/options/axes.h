@@ -8,6 +8,9 @@ namespace gbl {
 enum class ShadingModel { lambert, phong, blinn_phong, ggx };
 enum class BackgroundFill { black, grey, colour, sky };
 enum class NormalMap { on, off };
+enum class HeightMap { off, on };
+enum class ParallaxMethod { none, offset, steep, occlusion, relief };
+enum class ParallaxDepth { displaced, flat };
 enum class AlbedoSource { textured, white };
 enum class Colour { srgb, as_tutorial };
 enum class AccumulationFormat { rgba8, r11g11b10f, rgba16f, rgba32f };

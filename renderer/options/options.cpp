@@ -201,6 +201,15 @@ constexpr Use kByThreshold = {[](const Settings& s) { return s.range.kind == Ran
 constexpr Use kByReflections = {
     [](const Settings& s) { return s.reflections != Reflections::off; },
     [](const Settings& s) { return fmt::format("reflections {}", row(s.reflections).label); }};
+constexpr Use kByHeightMaps = {
+    [](const Settings& s) { return s.height_map == HeightMap::on; },
+    [](const Settings& s) { return fmt::format("height maps {}", row(s.height_map).label); }};
+constexpr Use kByParallax = {
+    [](const Settings& s) { return s.height_map == HeightMap::on && s.parallax.method != ParallaxMethod::none; },
+    [](const Settings& s) {
+      return s.height_map == HeightMap::on ? std::string("surfaces that stay flat")
+                                           : fmt::format("height maps {}", row(s.height_map).label);
+    }};
 constexpr Use kByShadows = {[](const Settings& s) { return s.shadows != Shadows::off; },
                             [](const Settings& s) { return fmt::format("shadows {}", row(s.shadows).label); }};
 
@@ -237,6 +246,7 @@ const Option kOptions[] = {
   {.path = "background.fill", .group = Group::truth, .label = "Background", .help = "what is seen where no surface is", CHOICE(BackgroundFill, background.fill)},
   {.path = "background.colour", .group = Group::truth, .label = "Background colour", .help = "linear, for background.fill=colour", .kind = Kind::vector, .min = 0, .max = 1e6, .get = GET(vec3_list(s.background.colour)), .set = SET(s.background.colour = checked_vec3(o, v))},
   {.path = "normal-map", .group = Group::truth, .label = "Normal maps", .help = "bend the shading normal by the material's map", CHOICE(NormalMap, normal_map)},
+  {.path = "height-map", .group = Group::truth, .label = "Height maps", .help = "sink the surface below its triangles by the material's map", CHOICE(HeightMap, height_map)},
   {.path = "albedo", .group = Group::truth, .label = "Albedo", .help = "the surface's own colour, or white", CHOICE(AlbedoSource, albedo)},
   {.path = "exposure", .group = Group::truth, .label = "Exposure", .help = "factor before the display transform; unlit surfaces are shown as they are", NUMBER(exposure, 1e-6, 1e6)},
   {.path = "colour", .group = Group::truth, .label = "Colour", .help = "how texels are read and the picture is shown", CHOICE(Colour, colour)},
@@ -271,6 +281,9 @@ const Option kOptions[] = {
   {.path = "reflect.method", .group = Group::method, .label = "Mirrors", .help = "where the mirrored scene comes from", CHOICE(ReflectMethod, reflect.method), .use = &kByReflections},
   {.path = "reflect.size", .group = Group::method, .label = "Mirror cube", .help = "size of its six pictures", CHOICE(ReflectSize, reflect.size), .use = &kByReflections},
   {.path = "reflect.parallax", .group = Group::method, .label = "Cube's parallax", .help = "how a cube is read from beside its middle", CHOICE(ReflectParallax, reflect.parallax), .use = &kByReflections},
+  {.path = "parallax.method", .group = Group::method, .label = "Parallax", .help = "how the line of sight is followed into a height map", CHOICE(ParallaxMethod, parallax.method), .use = &kByHeightMaps},
+  {.path = "parallax.steps", .group = Group::method, .label = "Parallax steps", .help = "from the highest place to the lowest", INTEGER(parallax.steps, 1, 1024), .use = &kByParallax},
+  {.path = "parallax.depth", .group = Group::method, .label = "Parallax depth", .help = "what is stored of where the line of sight ends", CHOICE(ParallaxDepth, parallax.depth), .use = &kByParallax},
   {.path = "tangents", .group = Group::method, .label = "Tangents", .help = "where tangent frames come from", CHOICE(Tangents, tangents), .use = &kByNormalMaps},
   {.path = "antialias", .group = Group::method, .label = "Antialiasing", .help = "of edges", CHOICE(Antialias, antialias)},
   {.path = "draw-order", .group = Group::method, .label = "Draw order", .help = "of the objects in the geometry pass", CHOICE(DrawOrder, draw_order)},

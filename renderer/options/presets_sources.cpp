@@ -67,6 +67,8 @@ Settings stereo() {
   s.shading.model = ShadingModel::ggx;
   s.shadows = Shadows::all;         // step 7: an array of maps, an array of cubes, both compared by the sampler
   s.reflections = Reflections::on;  // steps 34-43: planar and cube reflections, and refraction
+  s.height_map = HeightMap::on;     // step 4: parallax occlusion mapping, and no depth is written
+  s.parallax.depth = ParallaxDepth::flat;
   s.ambient = 0.3;
   s.background = {BackgroundFill::black, glm::dvec3(0.2), BackgroundSkip::none};
   s.layout = Layout::stereo;
@@ -82,6 +84,7 @@ Settings stereo_fixed() {
   fix_common(s);
   s.normal.encoding = NormalEncoding::oct16;
   s.position.reconstruct = PositionReconstruct::view_ray;
+  s.parallax.depth = ParallaxDepth::displaced;
   return s;
 }
 

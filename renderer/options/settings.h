@@ -76,6 +76,7 @@ struct Settings {
     bool operator==(const Background&) const = default;
   } background;
   NormalMap normal_map = NormalMap::on;
+  HeightMap height_map = HeightMap::off;
   AlbedoSource albedo = AlbedoSource::textured;
   double exposure = 1;
   Colour colour = Colour::srgb;
@@ -123,6 +124,12 @@ struct Settings {
     ReflectParallax parallax = ReflectParallax::none;
     bool operator==(const Reflect&) const = default;
   } reflect;
+  struct Parallax {
+    ParallaxMethod method = ParallaxMethod::occlusion;
+    int steps = 32;
+    ParallaxDepth depth = ParallaxDepth::displaced;
+    bool operator==(const Parallax&) const = default;
+  } parallax;
   Tangents tangents = Tangents::vertex;
   Antialias antialias = Antialias::none;
   DrawOrder draw_order = DrawOrder::near_far;

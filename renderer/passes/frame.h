@@ -82,7 +82,9 @@ class Renderer {
 
   // For the reference and the measures (renderer/passes/judging.h):
   // which triangle each pixel sees and its texels, into four float targets; of any settings, drawn or not
-  void draw_seen(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into);
+  // uvs_moved: of each pixel with a height map, how far its texture coordinates have moved; null: nothing is sunk.
+  void draw_seen(const Settings&, const GpuScene&, Targets&, const gl::Framebuffer& into,
+                 const gl::Texture* uvs_moved = nullptr);
   // the surface that the frame shows at a pixel (origin top left); waits for the GPU
   SeenSurface surface_at(const Settings&, const GpuScene&, Targets&, glm::ivec2 pixel);
   // normal and position as the lighting decodes them, and the surface that the frame shows

@@ -33,6 +33,7 @@ Settings witness_of(const Settings& s) {
   w.depth.format = DepthFormat::auto_;
   w.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::one};
   w.background.skip = BackgroundSkip::depth;
+  w.parallax = {ParallaxMethod::none, 1, ParallaxDepth::displaced};
   w.tangents = Tangents::vertex;
   w.antialias = Antialias::none;
   w.draw_order = DrawOrder::near_far;
@@ -93,9 +94,10 @@ void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   desc.depth = &depth_;
   framebuffer_ = gl::make_framebuffer(desc);
   Settings witness = settings_;
-  // A shadow map's and a mirror's errors are no float arithmetic's: see step().
+  // The errors of a shadow map, a mirror and steps into a height map are no float arithmetic's: see step().
   witness.shadows = Shadows::off;
   witness.reflections = Reflections::off;
+  witness.height_map = HeightMap::off;
   renderer.render(witness, scene, targets_);
   witness_read_.start(*targets_.frame.texture(Stores::lit));
   renderer.draw_seen(settings_, scene, targets_, framebuffer_);
@@ -103,20 +105,48 @@ void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   asked_ = true;
 }
 
-// True when all of the GPU's answers are there; the CPU then begins.
-bool TruthMaker::take_texels(const GpuScene& scene, bool wait) {
+// When all of the GPU's answers are there.
+std::optional<std::vector<SeenTexel>> TruthMaker::take_texels(bool wait) {
   if (const std::vector<float>* lit = witness_read_.take(wait))
     witness_lit_ = rows_from_top<glm::vec3>(settings_.size, *lit);
   for (size_t k = 0; k < reads_.size(); ++k)
     if (const std::vector<float>* texels = reads_[k].take(wait))
       seen_texels_[k] = rows_from_top<glm::vec4>(settings_.size, *texels);
   for (const auto& list : seen_texels_)
-    if (list.empty()) return false;
-  if (witness_lit_.empty()) return false;
+    if (list.empty()) return std::nullopt;
+  if (witness_lit_.empty()) return std::nullopt;
   std::vector<SeenTexel> texels(witness_lit_.size());
   for (size_t i = 0; i < texels.size(); ++i)
     texels[i] = {seen_texels_[0][i], seen_texels_[1][i], seen_texels_[2][i], seen_texels_[3][i], seen_texels_[4][i]};
-  reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(texels));
+  return texels;
+}
+
+// Where surfaces lie below their triangles, textures are read again there: where that is, is known when the triangles are.
+bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const std::vector<SeenTexel>& texels,
+                               bool wait) {
+  if (asked_below_ || settings_.height_map == HeightMap::off) return true;
+  if (!uvs_moved_.valid())
+    uvs_moved_ = std::async(std::launch::async, [this, texels, scene = scene.shared_scene()] {
+      return uvs_moved(HeightFields(settings_, *scene), settings_, texels, threads_);
+    });
+  if (!wait && uvs_moved_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+  const std::vector<glm::vec4> moved = uvs_moved_.get();
+  const gl::Texture uvs = uploaded(
+      settings_.size, "seen.uvs_moved", [&](size_t i) { return moved[i]; }, [](size_t) { return 0.0; });
+  renderer.draw_seen(settings_, scene, targets_, framebuffer_, &uvs);
+  seen_texels_ = {};
+  for (size_t k = 0; k < seen_.size(); ++k) reads_[k].start(seen_[k]);
+  asked_below_ = true;
+  return false;
+}
+
+// Does the CPU work already?
+bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
+  if (work_.valid()) return true;
+  std::optional<std::vector<SeenTexel>> texels = take_texels(wait);
+  if (texels && !sampled_below(renderer, scene, *texels, wait)) texels = wait ? take_texels(wait) : std::nullopt;
+  if (!texels) return false;
+  reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(*texels));
   work_ = std::async(std::launch::async, [this] {
     triangles_replaced_ = reference_->check_texels();
     reference_->find_rivals(&cancel_);
@@ -128,7 +158,7 @@ bool TruthMaker::take_texels(const GpuScene& scene, bool wait) {
 std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuScene& scene, bool wait) {
   if (refused_) throw Error(*refused_);  // asked again it would be no better
   if (!asked_) ask_gpu(renderer, scene);
-  if (!work_.valid() && !take_texels(scene, wait)) return nullptr;
+  if (!started(renderer, scene, wait)) return nullptr;
   if (!wait && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
   try {
     work_.get();
@@ -139,7 +169,8 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   auto set = std::make_shared<TruthSet>();
   set->settings = settings_;
   set->truth = reference_->truth();
-  const bool same = settings_.shadows == Shadows::off && settings_.reflections == Reflections::off;
+  const bool same = settings_.shadows == Shadows::off && settings_.reflections == Reflections::off &&
+                    settings_.height_map == HeightMap::off;
   if (same) set->witness_lit = std::move(witness_lit_);  // else none is excused
   set->lit_pairs = reference_->lit_pairs();
   set->texels = reference_->texels();

@@ -6,6 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/passes/frame.h"
+#include "renderer/truth/height_fields.h"
 #include "renderer/truth/reference.h"
 
 namespace gbl {
@@ -48,11 +49,13 @@ class TruthMaker {
 
  private:
   void ask_gpu(Renderer&, const GpuScene&);
-  bool take_texels(const GpuScene&, bool wait);
+  std::optional<std::vector<SeenTexel>> take_texels(bool wait);
+  bool sampled_below(Renderer&, const GpuScene&, const std::vector<SeenTexel>&, bool wait);
+  bool started(Renderer&, const GpuScene&, bool wait);
 
   Settings settings_;
   int threads_;
-  bool asked_ = false;
+  bool asked_ = false, asked_below_ = false;
   Targets targets_;  // of the frame block, the instances and the witness
   std::array<gl::Texture, kSeenTexels> seen_;
   gl::Texture depth_;
@@ -60,6 +63,7 @@ class TruthMaker {
   std::array<gl::AsyncRead, kSeenTexels> reads_;
   gl::AsyncRead witness_read_;
   std::array<std::vector<glm::vec4>, kSeenTexels> seen_texels_;
+  std::future<std::vector<glm::vec4>> uvs_moved_;
   std::vector<glm::vec3> witness_lit_;
   std::unique_ptr<Reference> reference_;
   std::atomic<bool> cancel_{false};

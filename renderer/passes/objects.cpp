@@ -61,6 +61,11 @@ bool plain_uvs(const Material& m) {
   return true;
 }
 
+// Is the line of sight followed into it?
+static bool sinks(const Settings& s, const Material& m) {
+  return s.height_map == HeightMap::on && s.parallax.method != ParallaxMethod::none && has_heights(m);
+}
+
 gl::Defines material_defines(const Settings& s, const Material& m) {
   return {{"NORMAL_MAP", s.normal_map == NormalMap::on && m.normal_texture.texture != kNoTexture},
           {"ALBEDO_WHITE", s.albedo == AlbedoSource::white},
@@ -68,6 +73,8 @@ gl::Defines material_defines(const Settings& s, const Material& m) {
           {"BLENDED", blends(m, s.reflections == Reflections::on)},
           {"REFRACTS", s.reflections == Reflections::on && refracts(m)},
           {"UNLIT", m.unlit},
+          {"PARALLAX", sinks(s, m) ? static_cast<int>(s.parallax.method) : 0},
+          {"HEIGHTS", s.height_map == HeightMap::on && has_heights(m)},
           {"SPECULAR", !reflects_as_common(m)},
           {"UV_TRANSFORMS", !plain_uvs(m)}};
 }
@@ -89,6 +96,13 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
   glUniform1f(program.find_uniform("alpha_cutoff"), m.alpha_cutoff);
   if (frame.settings.reflections == Reflections::on && refracts(m))
     glUniform2f(program.find_uniform("transmission"), m.transmission, 1 / std::max(m.refraction_index, 1.0f));
+  if (sinks(frame.settings, m)) {
+    const Camera& c = frame.settings.camera;
+    gl::bind_texture("height_map", scene.data_texture(m.height_texture.texture));
+    glUniform2f(program.find_uniform("height"), m.height_depth, static_cast<float>(frame.settings.parallax.steps));
+    const glm::vec4 sight = c.orthographic() ? glm::vec4(c.forward(), 0) : glm::vec4(0, 0, 0, 1);
+    glUniform4fv(program.find_uniform("sight_from"), 1, glm::value_ptr(sight));
+  }
   if (!reflects_as_common(m)) {
     gl::bind_texture("specular_map", scene.data_texture(m.specular_texture.texture));
     gl::bind_texture("specular_colour_map", scene.colour_texture(m.specular_colour_texture.texture, colour));

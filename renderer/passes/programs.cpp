@@ -120,6 +120,10 @@ void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
 
 void append_surface_defines(gl::Defines& out, const Settings& s, bool emission_kept) {
   append_axis(out, "TANGENTS", "TANGENTS_", s.tangents);
+  if (s.height_map == HeightMap::on) {
+    append_axis(out, "PARALLAX_METHOD", "PARALLAX_", s.parallax.method);
+    append_axis(out, "PARALLAX_DEPTH", "PARALLAX_DEPTH_", s.parallax.depth);
+  }
   out.push_back({"EMISSION_KEPT", emission_kept});
   append_mistakes(out, s, MistakeIn::surface);
 }

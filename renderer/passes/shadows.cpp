@@ -81,8 +81,13 @@ int draw_map(const Frame& frame, const ShadowMap& m, const std::vector<ObjectDra
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   if (!is_finite(m.clip_from_anchored)) return 0;
   const glm::mat4 clip(m.clip_from_anchored);
+  // Where all lines of sight meet: at the light, or nowhere.
+  const glm::dvec4 eye = glm::inverse(m.clip_from_anchored) * glm::dvec4(0, 0, 1, 0);
+  const bool parallel = std::abs(eye.w) < 1e-9 * glm::length(glm::dvec3(eye));
+  const glm::vec4 sight(parallel ? glm::dvec4(glm::normalize(glm::dvec3(eye)), 0) : eye / eye.w);
   const auto set = [&](const gl::Program& program) {
     glUniformMatrix4fv(program.uniform("shadow_clip_from_anchored"), 1, GL_FALSE, glm::value_ptr(clip));
+    glUniform4fv(program.find_uniform("sight_from"), 1, glm::value_ptr(sight));
   };
   std::vector<ObjectDraw> seen;
   for (const ObjectDraw& d : casters)

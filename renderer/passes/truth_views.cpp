@@ -61,7 +61,8 @@ void draw_truth_numbers(const Frame& frame, View view, const ViewOptions& option
   frame.shapes.draw_fullscreen();
 }
 
-void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {
+void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into,
+                         const gl::Texture* uvs_moved) {
   Frame frame = frame_of(s, scene, targets);
   const std::vector<ObjectDraw> draws = prepare_objects(frame, false);
   begin_drawing(into, s.size, depth_tested(frame, gl::DepthTest::less, {.depth_write = true}));
@@ -70,6 +71,8 @@ void Renderer::draw_seen(const Settings& s, const GpuScene& scene, Targets& targ
   glClearBufferfv(GL_DEPTH, 0, &farthest);
   gl::Defines defines = frame.surface_defines();
   defines.push_back({"TRIANGLE_IDS", 1});
+  defines.push_back({"UVS_MOVED", uvs_moved != nullptr});
+  if (uvs_moved) gl::bind_texture("uvs_moved", *uvs_moved);
   draw_objects(frame, draws, "seen.frag", defines, {}, Corners::numbered);
 }
 

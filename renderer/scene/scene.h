@@ -96,13 +96,21 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;      // shown as it is, lit by nothing
   float transmission = 0;  // share of the light that does not bounce off but goes through (KHR_materials_transmission)
+  // How deep the surface lies below its triangles, seen from the front: depth x (1 - red). glTF has none. Texture
+  // coordinates of the first set, not moved.
+  TextureUse height_texture;  // linear
+  float height_depth = 0;     // world units, whatever the object's scale
 };
+
+inline bool has_heights(const Material& m) {
+  return m.height_texture.texture != kNoTexture && m.height_depth > 0 && m.alpha_mode != AlphaMode::blend;
+}
 
 // Each texture that a material reads, in the order of shaders/shared.h.
 template <class M>  // Material, const or not
 auto texture_uses(M& m) {
-  return std::array{&m.base_colour_texture, &m.normal_texture,   &m.roughness_texture,      &m.emissive_texture,
-                    &m.occlusion_texture,   &m.specular_texture, &m.specular_colour_texture};
+  return std::array{&m.base_colour_texture, &m.normal_texture,   &m.roughness_texture,       &m.emissive_texture,
+                    &m.occlusion_texture,   &m.specular_texture, &m.specular_colour_texture, &m.height_texture};
 }
 
 // Schlick 1994: the reflectance of a surface between air and a medium of this index, at normal incidence.

@@ -106,20 +106,43 @@ double TileNoise::ridged(double u, double v, int cells, int octaves) const {
   return sum / total;
 }
 
-Texture normal_map(std::string name, const ScalarMap& height, double slope) {
+// Change from texel to texel, {right, up}.
+static glm::dvec2 gradient(const ScalarMap& height, int x, int y) {
+  return glm::dvec2(height.at(x + 1, y) - height.at(x - 1, y), height.at(x, y - 1) - height.at(x, y + 1)) * 0.5;
+}
+
+// Times this, in texels, the map's root-mean-square slope is `slope`.
+static double height_scale(const ScalarMap& height, double slope) {
   const int size = height.size;
-  assert((size & (size - 1)) == 0);
-  const auto gradient = [&](int x, int y) {  // {right, up}
-    return glm::dvec2(height.at(x + 1, y) - height.at(x - 1, y), height.at(x, y - 1) - height.at(x, y + 1)) * 0.5;
-  };
   double square_sum = 0;
   for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x) square_sum += glm::dot(gradient(x, y), gradient(x, y));
-  const double scale = square_sum > 0 ? slope / std::sqrt(square_sum / (static_cast<double>(size) * size)) : 0;
-  return make_texture(std::move(name), size, [&](int x, int y) {
-    const glm::dvec3 n = glm::normalize(glm::dvec3(-gradient(x, y) * scale, 1));
+    for (int x = 0; x < size; ++x) square_sum += glm::dot(gradient(height, x, y), gradient(height, x, y));
+  return square_sum > 0 ? slope / std::sqrt(square_sum / (static_cast<double>(size) * size)) : 0;
+}
+
+Texture normal_map(std::string name, const ScalarMap& height, double slope) {
+  assert((height.size & (height.size - 1)) == 0);
+  const double scale = height_scale(height, slope);
+  return make_texture(std::move(name), height.size, [&](int x, int y) {
+    const glm::dvec3 n = glm::normalize(glm::dvec3(-gradient(height, x, y) * scale, 1));
     return (n * 0.5 + 0.5) * 255.0;
   });
+}
+
+Texture height_map(std::string name, const ScalarMap& height) {
+  const auto [low, high] = std::minmax_element(height.texels.begin(), height.texels.end());
+  Texture texture{std::move(name), glm::ivec2(height.size), {}, {}, {.min = Filter::linear}};
+  const double range = std::max(*high - *low, 1e-9);
+  for (const double h : height.texels) {
+    const auto code = static_cast<uint16_t>((h - *low) / range * 65535 + 0.5);
+    texture.rgba16.insert(texture.rgba16.end(), {code, code, code, 65535});
+  }
+  return texture;
+}
+
+double height_depth(const ScalarMap& height, double slope) {
+  const auto [low, high] = std::minmax_element(height.texels.begin(), height.texels.end());
+  return (*high - *low) * height_scale(height, slope) / height.size;
 }
 
 GroundTextures make_ground_textures(int size, uint64_t seed) {

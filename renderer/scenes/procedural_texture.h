@@ -36,6 +36,11 @@ struct ScalarMap {
 // (0.2: tilts of about 11 degrees). The map's size must be a power of two.
 Texture normal_map(std::string name, const ScalarMap& height, double slope);
 
+// The same height map as a texture, 0..1 in 16 bits, and how far its lowest place lies below its highest with these slopes, in
+// widths of the tile.
+Texture height_map(std::string name, const ScalarMap& height);
+double height_depth(const ScalarMap& height, double slope);
+
 struct GroundTextures {
   Texture albedo;  // reddish-brown earth, sRGB
   Texture normal;

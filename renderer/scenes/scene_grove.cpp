@@ -104,7 +104,10 @@ Scene build_grove() {
   const int leaves = add(scene, make_foliage(256, 7), {.name = "leaves"});
   const int wood = add(scene, make_planks(256, 8), {.name = "wood"});
   place(scene, "ground", make_grove_ground(noise), grass);
-  place(scene, "old trunk", add(scene, make_old_trunk(5.5, 0.55, 9), "old trunk"), bark, standing_at(kTrunk));
+  constexpr double kRadius = 0.55, kTilesAround = 2;
+  const int deep_bark =
+      add_relief(scene, make_bark(512, 6), {.name = "deep bark"}, kTilesAround / (2 * 3.14159 * kRadius));
+  place(scene, "old trunk", add(scene, make_old_trunk(5.5, kRadius, 9), "old trunk"), deep_bark, standing_at(kTrunk));
   add_house(scene, wood);
   add_trees(scene, noise, bark, leaves);
   add_lights(scene);

@@ -62,6 +62,12 @@ int add(Scene& scene, SurfaceTextures textures, Material m) {
   return add(scene, std::move(m));
 }
 
+int add_relief(Scene& scene, SurfaceTextures textures, Material m, double uv_per_unit, double deeper) {
+  m.height_texture = {add(scene, std::move(textures.height))};
+  m.height_depth = static_cast<float>(deeper * textures.depth / uv_per_unit);
+  return add(scene, std::move(textures), std::move(m));
+}
+
 void place(Scene& scene, std::string name, int mesh, int material, const glm::dmat4& world_from_object) {
   scene.instances.push_back({std::move(name), mesh, material, world_from_object});
 }

@@ -16,6 +16,9 @@ int add(Scene&, Material);
 int add(Scene&, Mesh, const char* name);
 // Adds the three textures and the material that reads them; `m` brings name and factors.
 int add(Scene&, SurfaceTextures, Material m);
+// … and its height map, on what has so many texture coordinates to a world unit. deeper: than the normal map's slopes ask,
+// so that it can be seen from some metres away.
+int add_relief(Scene&, SurfaceTextures, Material m, double uv_per_unit, double deeper = 1);
 
 void place(Scene&, std::string name, int mesh, int material, const glm::dmat4& world_from_object = glm::dmat4(1));
 // A mesh that stands once, in world coordinates.

@@ -17,6 +17,7 @@ using Profile = std::vector<glm::dvec2>;
 constexpr glm::dvec3 kLow(-4, 0, -3), kHigh(4, 3.2, 3);
 constexpr glm::dvec3 kBulb(-0.9, 1.95, -0.6), kSpot(2.3, 3.0, 0.4), kSpotTarget(0.55, 0.9, -1.2);
 constexpr double kTableTop = 0.78;
+constexpr double kBricksPerUnit = 1, kPlanksPerUnit = 0.6;  // tiles of their textures
 
 // A curve through the points (Catmull and Rom 1974), four pieces between two of them.
 Profile curved(const Profile& points) {
@@ -39,11 +40,12 @@ struct RoomMaterials {
 
 RoomMaterials add_materials(Scene& scene) {
   RoomMaterials m{};
-  m.bricks = add(scene, make_bricks(256, 1), {.name = "bricks"});
+  m.bricks = add_relief(scene, make_bricks(256, 1), {.name = "bricks"}, kBricksPerUnit, 3);
   m.ceiling = add(scene, make_plaster(256, 2), {.name = "ceiling plaster", .base_colour = {0.62f, 0.6f, 0.57f, 1}});
-  m.floor = add(scene, make_planks(256, 3), {.name = "floorboards"});
+  m.floor = add_relief(scene, make_planks(256, 3), {.name = "floorboards"}, kPlanksPerUnit);
   Material wall = scene.materials[m.ceiling], wood = scene.materials[m.floor];
   wall.name = "painted plaster", wall.base_colour = {0.42f, 0.52f, 0.55f, 1};
+  wood.height_texture = {}, wood.height_depth = 0;
   wood.name = "dark wood", wood.base_colour = {0.55f, 0.42f, 0.34f, 1}, wood.normal_scale = 0.4f;
   m.wall = add(scene, wall);
   m.wood = add(scene, wood);
@@ -66,11 +68,11 @@ RoomMaterials add_materials(Scene& scene) {
 void add_shell(Scene& scene, const RoomMaterials& m) {
   const glm::dvec3 size = kHigh - kLow;
   const glm::dvec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
-  place(scene, "brick wall", make_sheet(kLow, x, y, 1, {8, 3}), m.bricks);
+  place(scene, "brick wall", make_sheet(kLow, x, y, kBricksPerUnit, {8, 3}), m.bricks);
   place(scene, "mirror-side wall", make_sheet(kLow + z, -z, y, 0.5, {6, 3}), m.wall);
   place(scene, "right wall", make_sheet(kLow + x, z, y, 0.5, {6, 3}), m.wall);
   place(scene, "wall behind", make_sheet(kLow + x + z, -x, y, 0.5, {8, 3}), m.wall);
-  place(scene, "floor", make_sheet(kLow + z, x, -z, 0.6, {8, 6}), m.floor);
+  place(scene, "floor", make_sheet(kLow + z, x, -z, kPlanksPerUnit, {8, 6}), m.floor);
   place(scene, "ceiling", make_sheet(kLow + y, x, z, 0.5, {8, 6}), m.ceiling);
   Mesh skirting;
   append(skirting, make_box({kLow.x, 0, kLow.z}, {kHigh.x, 0.12, kLow.z + 0.03}, 0.6), glm::dmat4(1));

@@ -12,6 +12,8 @@ struct SurfaceTextures {
   Texture albedo;     // sRGB
   Texture normal;     // tangent space, +Y up the picture
   Texture roughness;  // green: roughness; blue: metal, 255 (the material's factor decides)
+  Texture height;     // what the normal map is made of: 1 the highest place, 0 the lowest; 16 bits
+  double depth = 0;   // between them, in widths of the tile, as the normal map's slopes ask
 };
 
 SurfaceTextures make_bricks(int size, uint64_t seed);      // 4 x 8 bricks a tile

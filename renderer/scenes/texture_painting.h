@@ -69,6 +69,8 @@ SurfaceTextures painted(const std::string& name, int size, double slope, Height 
   const auto spot = [&](int x, int y) { return Spot{(x + 0.5) / size, (y + 0.5) / size, heights.at(x, y)}; };
   SurfaceTextures t;
   t.normal = normal_map(name + " normal", heights, slope);
+  t.height = height_map(name + " height", heights);
+  t.depth = height_depth(heights, slope);
   t.albedo = make_texture(name + " albedo", size, [&](int x, int y) { return colour(spot(x, y)); });
   t.roughness = make_texture(name + " roughness", size, [&](int x, int y) {
     return glm::dvec3(255, 255 * std::clamp(roughness(spot(x, y)), 0.0, 1.0), 255);

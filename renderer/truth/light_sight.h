@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "renderer/options/settings.h"
+#include "renderer/truth/height_fields.h"
 #include "renderer/truth/ray_scene.h"
 #include "renderer/truth/truth_shading.h"
 
@@ -10,11 +11,13 @@ namespace gbl {
 
 class LightSight {
  public:
-  LightSight(const Settings&, const Scene&);  // the scene must outlive it
+  // The scene must outlive it. heights: of these settings.
+  LightSight(const Settings&, const Scene&, std::shared_ptr<const HeightFields> heights);
 
   bool shadows() const { return rays_ != nullptr; }               // is there any light that could be hidden?
   std::shared_ptr<const RayScene> rays() const { return rays_; }  // null without shadows
-  // Is nothing solid between the surface and the light? A shading normal that faces the light does not help where the
+  // Is nothing solid between the surface and the light? A sunken surface hides lights from itself, too; other sunken ones hide
+  // what is behind their triangles. A shading normal that faces the light does not help where the
   // triangle itself is turned away: then the object hides it. position: relative to the camera.
   bool sees(const TruthLight&, const glm::dvec3& position, const SeenSurface&) const;
 
@@ -22,6 +25,7 @@ class LightSight {
   const bool suns_only_;
   const glm::dvec3 camera_;
   std::shared_ptr<const RayScene> rays_;
+  std::shared_ptr<const HeightFields> heights_;
 };
 
 }  // namespace gbl

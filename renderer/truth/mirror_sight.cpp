@@ -21,8 +21,9 @@ glm::dvec3 weights_on_plane(const Ray& ray, const glm::dvec3 (&c)[3]) {
 
 }  // namespace
 
-MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<const RayScene> rays)
-    : settings_(s), scene_(scene) {
+MirrorSight::MirrorSight(const Settings& s, const Scene& scene, std::shared_ptr<const RayScene> rays,
+                         std::shared_ptr<const HeightFields> heights)
+    : settings_(s), scene_(scene), heights_(std::move(heights)) {
   if (s.reflections == Reflections::off) return;
   bool any = false;
   for (int object = 1; object <= static_cast<int>(scene.instances.size()); ++object) {
@@ -68,11 +69,15 @@ SeenTexel MirrorSight::texels_of(const SurfaceHit& hit, const RayBundle& rays) c
   glm::dvec3 places[3];
   for (size_t k = 0; k < 3; ++k)
     places[k] = relative_from_object * glm::dvec4(glm::dvec3(mesh.vertices[corner[k]].position), 1);
-  const TextureAt at(mesh, corner, hit.weights), beside(mesh, corner, weights_on_plane(rays.beside, places)),
+  TextureAt at(mesh, corner, hit.weights);
+  const TextureAt beside(mesh, corner, weights_on_plane(rays.beside, places)),
       below(mesh, corner, weights_on_plane(rays.below, places));
+  // As large as seen on the flat surface, where it is seen below it.
+  const TextureAt flat = at;
+  at.uv[0] += heights_->sunk(rays.ray, hit.surface).uv_moved;
   const auto read = [&](const TextureUse& use, bool srgb) {
-    const glm::dvec2 uv = at.uv_of(use);
-    return textures_->at(use.texture, srgb, uv, beside.uv_of(use) - uv, below.uv_of(use) - uv);
+    const glm::dvec2 uv = flat.uv_of(use);
+    return textures_->at(use.texture, srgb, at.uv_of(use), beside.uv_of(use) - uv, below.uv_of(use) - uv);
   };
   const bool srgb = settings_.colour == Colour::srgb;
   const glm::dvec4 rough_metal = read(m.roughness_texture, false);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "renderer/options/settings.h"
+#include "renderer/truth/height_fields.h"
 #include "renderer/truth/ray_scene.h"
 #include "renderer/truth/texture_levels.h"
 #include "renderer/truth/truth_geometry.h"
@@ -25,8 +26,9 @@ struct Through {
 
 class MirrorSight {
  public:
-  // rays: of the scene, which must outlive it; null: it makes its own where it needs them.
-  MirrorSight(const Settings&, const Scene&, std::shared_ptr<const RayScene> rays);
+  // rays: of the scene, which must outlive it; null: it makes its own where it needs them. heights: of these settings.
+  MirrorSight(const Settings&, const Scene&, std::shared_ptr<const RayScene> rays,
+              std::shared_ptr<const HeightFields> heights);
 
   bool mirrors() const { return rays_ != nullptr; }  // does any surface show others?
   bool mirrors(const SeenSurface&) const;
@@ -51,6 +53,7 @@ class MirrorSight {
   std::shared_ptr<const RayScene> rays_;
   std::map<int, RayScene> within_;  // of each clear object
   std::optional<TextureLevels> textures_;
+  std::shared_ptr<const HeightFields> heights_;
 };
 
 }  // namespace gbl

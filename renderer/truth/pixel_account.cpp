@@ -55,7 +55,7 @@ class Account {
     const ShadingModelOf model(s_);
     const TruthSurface& surface = at_.surface;
     const std::vector<Light> lights = true_lights(s_, scene_);
-    const LightSight sight(s_, scene_);
+    const LightSight sight(s_, scene_, TruthGeometry(s_, scene_).heights());
     for (size_t i = 0; i < lights.size(); ++i) {
       const TruthLight light{lights[i], lights[i].position - s_.camera.position};
       Reflected one = reflected(model, surface, light);

@@ -35,8 +35,8 @@ SurfaceLight::SurfaceLight(const Settings& s, const Scene& scene)
     : settings_(s),
       geometry_(without_reflections(s), scene),
       model_(s),
-      sight_(s, scene),
-      mirrors_(s, scene, sight_.rays()) {
+      sight_(s, scene, geometry_.heights()),
+      mirrors_(s, scene, sight_.rays(), geometry_.heights()) {
   for (const Light& l : true_lights(s, scene)) lights_.push_back({l, l.position - s.camera.position});
 }
 

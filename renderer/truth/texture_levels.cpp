@@ -11,19 +11,6 @@ namespace {
 
 bool has_mipmaps(const Texture& t) { return t.sampler.min != Filter::nearest && t.sampler.min != Filter::linear; }
 
-int wrapped(int i, int size, Wrap wrap) {
-  const auto modulo = [](int a, int n) { return ((a % n) + n) % n; };
-  switch (wrap) {
-    case Wrap::clamp: return std::clamp(i, 0, size - 1);
-    case Wrap::mirror: {
-      const int twice = modulo(i, 2 * size);
-      return twice < size ? twice : 2 * size - 1 - twice;
-    }
-    case Wrap::repeat: break;
-  }
-  return modulo(i, size);
-}
-
 double decoded(double code) {
   static const std::array<double, 256> kBytes = [] {
     std::array<double, 256> t{};
@@ -42,6 +29,19 @@ glm::dvec4 base_texel(const Texture& t, bool srgb, glm::ivec2 at) {
 }
 
 }  // namespace
+
+int wrapped_texel(int i, int size, Wrap wrap) {
+  const auto modulo = [](int a, int n) { return ((a % n) + n) % n; };
+  switch (wrap) {
+    case Wrap::clamp: return std::clamp(i, 0, size - 1);
+    case Wrap::mirror: {
+      const int twice = modulo(i, 2 * size);
+      return twice < size ? twice : 2 * size - 1 - twice;
+    }
+    case Wrap::repeat: break;
+  }
+  return modulo(i, size);
+}
 
 TextureLevels::TextureLevels(const Scene& scene, bool srgb)
     : scene_(scene), srgb_(scene.textures.size()), linear_(scene.textures.size()) {
@@ -83,7 +83,7 @@ TextureLevels::Pyramid TextureLevels::pyramid_of(const Texture& t, bool srgb) {
 
 glm::dvec4 TextureLevels::texel(const Texture& t, const Pyramid& p, bool srgb, int level, glm::ivec2 at) const {
   const glm::ivec2 size = level == 0 ? t.size : p.levels[static_cast<size_t>(level - 1)].size;
-  at = {wrapped(at.x, size.x, t.sampler.wrap_u), wrapped(at.y, size.y, t.sampler.wrap_v)};
+  at = {wrapped_texel(at.x, size.x, t.sampler.wrap_u), wrapped_texel(at.y, size.y, t.sampler.wrap_v)};
   if (level == 0) return base_texel(t, srgb, at);
   return p.levels[static_cast<size_t>(level - 1)]
       .texels[static_cast<size_t>(at.y) * static_cast<size_t>(size.x) + static_cast<size_t>(at.x)];

@@ -9,6 +9,9 @@
 
 namespace gbl {
 
+// The texel of a row that a place beside it stands for.
+int wrapped_texel(int i, int size, Wrap);
+
 class TextureLevels {
  public:
   // The scene must outlive it. srgb: are colours decoded when they are read?

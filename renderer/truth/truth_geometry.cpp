@@ -5,6 +5,7 @@
 
 #include "renderer/picture/srgb.h"
 #include "renderer/reflection/mirrors.h"
+#include "renderer/truth/height_fields.h"
 
 namespace gbl {
 namespace {
@@ -72,7 +73,11 @@ glm::dvec3 barycentrics(const Ray& ray, const glm::dvec3 (&c)[3]) {
 }
 
 TruthGeometry::TruthGeometry(const Settings& s, const Scene& scene, StoreFn store)
-    : settings_(s), scene_(scene), model_(s), store_(std::move(store)) {
+    : settings_(s),
+      scene_(scene),
+      model_(s),
+      store_(std::move(store)),
+      heights_(std::make_shared<HeightFields>(s, scene)) {
   for (const Instance& i : scene.instances) {
     Placed p{i.world_from_object};
     p.relative_from_object[3] -= glm::dvec4(s.camera.position, 0);
@@ -147,6 +152,7 @@ SurfaceAt TruthGeometry::at(const Ray& ray, const SeenTexel& texel) const {
   SurfaceAt out;
   TruthSurface& s = out.surface;
   s.position = weights.x * places[0] + weights.y * places[1] + weights.z * places[2];
+  s.position += heights_->sunk(ray, texel.surface()).by;
   s.to_eye = -glm::normalize(ray.origin == glm::dvec3(0) ? s.position : ray.direction);
   s.normal = shading_normal(placed, material, corners, weights, anticlockwise != placed.mirrored, texel.normal);
 

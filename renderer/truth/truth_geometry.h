@@ -1,6 +1,7 @@
 #pragma once
 // From "this triangle is seen through this pixel" to a surface point, in double.
 #include <functional>
+#include <memory>
 
 #include "renderer/truth/truth.h"
 #include "renderer/truth/truth_shading.h"
@@ -52,6 +53,8 @@ struct SurfaceAt {
   glm::dvec3 emission{0};  // radiance
 };
 
+class HeightFields;
+
 // What a layout would make of a material: to ask in double how many bits a picture needs.
 using StoreFn = std::function<void(TruthMaterial&)>;
 
@@ -59,6 +62,7 @@ class TruthGeometry {
  public:
   TruthGeometry(const Settings&, const Scene&, StoreFn store = {});
   SurfaceAt at(const Ray&, const SeenTexel&) const;
+  std::shared_ptr<const HeightFields> heights() const { return heights_; }
 
  private:
   // Of an instance, made once: everything relative to the camera.
@@ -77,6 +81,7 @@ class TruthGeometry {
   const Scene& scene_;
   const ShadingModelOf model_;
   const StoreFn store_;
+  const std::shared_ptr<const HeightFields> heights_;
   std::vector<Placed> placed_;
 };
 

@@ -178,6 +178,7 @@ TEST(Settings, UnsoundChoicesAreThoseOfTheRowsInUse) {
   for (const Option& o : options())
     for (const ValueRow& r : o.values) {
       Settings s;
+      s.height_map = HeightMap::on;  // else no choice of parallax is in use
       ASSERT_TRUE(sound(s));
       o.set(s, r.id, o);
       const std::vector<Unsound> found = unsound_choices(s);

@@ -66,11 +66,11 @@ TEST_P(EveryScene, RefersToWhatThereIsByNamesThatDiffer) {
   for (const Mesh& m : s.meshes) EXPECT_FALSE(m.name.empty());
   for (const Material& m : s.materials) {
     EXPECT_FALSE(m.name.empty());
-    for (const TextureUse& t : {m.base_colour_texture, m.normal_texture, m.roughness_texture, m.emissive_texture})
-      EXPECT_LT(t.texture, static_cast<int>(s.textures.size())) << m.name;
+    for (const TextureUse* t : texture_uses(m)) EXPECT_LT(t->texture, static_cast<int>(s.textures.size())) << m.name;
+    EXPECT_EQ(m.height_texture.texture != kNoTexture, m.height_depth > 0) << m.name;
   }
   for (const Texture& t : s.textures)
-    EXPECT_EQ(t.rgba.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4) << t.name;
+    EXPECT_EQ(t.rgba.size() + t.rgba16.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4) << t.name;
 }
 
 TEST_P(EveryScene, SharesItsMeshes) {  // a copy of a mesh is an instance, not another mesh

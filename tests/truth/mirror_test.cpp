@@ -85,7 +85,7 @@ class Glass : public testing::Test {
       if (scene_.meshes[0].vertices[*c].normal.y > 0.5f) break;
       ++triangle;
     }
-    return MirrorSight(settings_, scene_, nullptr).refracted_rays(s, {1, triangle});
+    return MirrorSight(settings_, scene_, nullptr, nullptr).refracted_rays(s, {1, triangle});
   }
   Scene scene_;
   Settings settings_;

@@ -26,6 +26,7 @@ constexpr PitfallGroup kGroups[] = {
     {"shading", "Shading"},
     {"shadows", "Shadows"},
     {"mirrors", "Mirrors and glass"},
+    {"heights", "Height maps"},
     {"passes", "Passes"},
 };
 

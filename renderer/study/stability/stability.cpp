@@ -13,7 +13,8 @@ std::span<const Sweep> sweeps() {
                                              volume_level_sweep(),   cull_families_sweep(),   normal_angle_sweep(),
                                              roughness_sweep(),      sub_pixel_pan_sweep(),   view_distance_sweep(),
                                              world_offset_sweep(),   near_plane_sweep(),      depth_decode_sweep(),
-                                             light_count_sweep(),    range_threshold_sweep(), shadow_bias_sweep()};
+                                             light_count_sweep(),    range_threshold_sweep(), shadow_bias_sweep(),
+                                             parallax_steps_sweep(), parallax_angle_sweep()};
   return kSweeps;
 }
 

@@ -23,6 +23,9 @@ Sweep light_count_sweep();
 Sweep range_threshold_sweep();
 // stability_shadows.cpp: what shadow maps lose
 Sweep shadow_bias_sweep();
+// stability_heights.cpp: where a line of sight ends in a height map
+Sweep parallax_steps_sweep();
+Sweep parallax_angle_sweep();
 // stability_families.cpp: everything at once
 Sweep cull_families_sweep();
 

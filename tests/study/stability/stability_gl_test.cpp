@@ -42,6 +42,8 @@ TEST_F(StabilityGl, NearPlane) { expect_holds("near-plane"); }
 TEST_F(StabilityGl, LightCount) { expect_holds("light-count"); }
 TEST_F(StabilityGl, RangeThreshold) { expect_holds("range-threshold"); }
 TEST_F(StabilityGl, ShadowBias) { expect_holds("shadow-bias"); }
+TEST_F(StabilityGl, ParallaxSteps) { expect_holds("parallax-steps"); }
+TEST_F(StabilityGl, ParallaxAngle) { expect_holds("parallax-angle"); }
 
 // The tests above would pass without a judge: a wrong statement about a right curve is found out.
 TEST_F(StabilityGl, AWrongStatementDoesNotHold) {
