@@ -42,6 +42,13 @@ Settings witness_of(const Settings& s) {
   return w;
 }
 
+Settings witnessed(Settings s) {
+  s.shadows = Shadows::off;
+  s.reflections = Reflections::off;
+  s.height_map = HeightMap::off;
+  return s;
+}
+
 const gl::Texture& TruthTextures::of(ErrorOf what) const {
   switch (what) {
     case ErrorOf::final:
@@ -93,12 +100,7 @@ void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   depth_ = gl::make_texture({.size = settings_.size, .format = Format::d32f, .label = "seen.depth"});
   desc.depth = &depth_;
   framebuffer_ = gl::make_framebuffer(desc);
-  Settings witness = settings_;
-  // The errors of a shadow map, a mirror and steps into a height map are no float arithmetic's: see step().
-  witness.shadows = Shadows::off;
-  witness.reflections = Reflections::off;
-  witness.height_map = HeightMap::off;
-  renderer.render(witness, scene, targets_);
+  renderer.render(witnessed(settings_), scene, targets_);
   witness_read_.start(*targets_.frame.texture(Stores::lit));
   renderer.draw_seen(settings_, scene, targets_, framebuffer_);
   for (size_t k = 0; k < seen_.size(); ++k) reads_[k].start(seen_[k]);
@@ -169,9 +171,7 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   auto set = std::make_shared<TruthSet>();
   set->settings = settings_;
   set->truth = reference_->truth();
-  const bool same = settings_.shadows == Shadows::off && settings_.reflections == Reflections::off &&
-                    settings_.height_map == HeightMap::off;
-  if (same) set->witness_lit = std::move(witness_lit_);  // else none is excused
+  if (has_witness(settings_)) set->witness_lit = std::move(witness_lit_);
   set->lit_pairs = reference_->lit_pairs();
   set->texels = reference_->texels();
   set->triangles_replaced = triangles_replaced_;

@@ -14,6 +14,10 @@ namespace gbl {
 // The same truth, drawn so that the least is lost on this device: forward, everything in float32. What even this
 // frame misses is float arithmetic's doing, not a set-up's.
 Settings witness_of(const Settings&);
+// The errors of a shadow map, a mirror's picture and steps into a height map are no float arithmetic's: such settings have no
+// witness, and nothing is excused. Without these they have one.
+Settings witnessed(Settings);
+inline bool has_witness(const Settings& s) { return s == witnessed(s); }
 
 // The truth as textures, for the views `reference` and `error`. Rounded once to float.
 struct TruthTextures {

@@ -70,7 +70,8 @@ TEST_P(EveryScene, RefersToWhatThereIsByNamesThatDiffer) {
     EXPECT_EQ(m.height_texture.texture != kNoTexture, m.height_depth > 0) << m.name;
   }
   for (const Texture& t : s.textures)
-    EXPECT_EQ(t.rgba.size() + t.rgba16.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4) << t.name;
+    EXPECT_EQ(t.rgba.size() + t.rgba16.size(), static_cast<size_t>(t.size.x) * static_cast<size_t>(t.size.y) * 4)
+        << t.name;
 }
 
 TEST_P(EveryScene, SharesItsMeshes) {  // a copy of a mesh is an instance, not another mesh
