@@ -82,6 +82,11 @@ inline constexpr ViewClass kMiscountClasses[] = {
 inline constexpr ViewClass kTriangleClasses[] = {
     {"256+ px", {0.04f, 0.04f, 0.06f}}, {"64+", {0.16f, 0.22f, 0.62f}}, {"16+", {0.05f, 0.46f, 0.55f}},
     {"4+", {0.30f, 0.68f, 0.25f}},      {"1+", {0.98f, 0.76f, 0.15f}},  {"below 1", {1.00f, 1.00f, 1.00f}}};
+inline constexpr ViewClass kShadowMapClasses[] = {{"1, +X", kMarkBlue}, {"2, -X", kMarkOrange}, {"3, +Y", kMarkGreen},
+                                                  {"4, -Y", kMarkPink}, {"5, +Z", kMarkSky},    {"6, -Z", kMarkYellow}};
+inline constexpr ViewClass kShadowTexelClasses[] = {
+    {"below 1/4 px", {0.04f, 0.04f, 0.06f}}, {"1/4+", {0.16f, 0.22f, 0.62f}}, {"1+", {0.05f, 0.46f, 0.55f}},
+    {"2+", {0.30f, 0.68f, 0.25f}},           {"4+", {0.98f, 0.76f, 0.15f}},   {"16+", {1.00f, 1.00f, 1.00f}}};
 inline constexpr ViewClass kCheckClasses[] = {{"sound", kNoLight},
                                               {"above white", kMarkSky},
                                               {"normal off length 1", kMarkOrange},

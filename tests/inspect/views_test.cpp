@@ -95,11 +95,12 @@ TEST(Views, MissingOnlyWhereNothingIsStoredAndWithAReason) {
   for (const ViewRow& r : views()) {
     const bool of_metals =
         r.view >= View::reflectance && r.view <= View::exponent;  // albedo-roughness keeps none of it
-    const bool of_shadows = r.view == View::visibility || r.view == View::shadow_maps;
+    const bool of_shadows = r.view >= View::visibility && r.view <= View::shadow_maps;
     EXPECT_EQ(why_missing(r.view, s).empty(), !of_metals && !of_shadows && r.view != View::tile_edges) << r.id;
   }
   s.shadows = Shadows::all;
-  for (const View v : {View::visibility, View::shadow_maps}) EXPECT_EQ(why_missing(v, s), "") << row(v).id;
+  for (const View v : {View::visibility, View::shadow_map_read, View::shadow_texel, View::shadow_maps})
+    EXPECT_EQ(why_missing(v, s), "") << row(v).id;
   s.shadows = Shadows::off;
   s.layout = Layout::float32;
   for (const View v : {View::reflectance, View::metal, View::emission, View::occlusion, View::object_id})

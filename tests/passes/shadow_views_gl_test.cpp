@@ -1,5 +1,9 @@
 // What the views of shadows show is what the lighting reads.
+#include <set>
+#include <utility>
+
 #include "app/lab.h"
+#include "renderer/opening/scene_look.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {
@@ -52,6 +56,66 @@ TEST_F(ShadowViews, MapsShowDistancesOfTheirFaces) {
   for (const glm::dvec3& c : corners_of(yard().scene().bounds))
     farthest = std::max(farthest, glm::distance(c, light.position));
   EXPECT_NEAR(shares[middle].r, 3 / std::min(light.range, 1.01 * farthest), 0.003);
+}
+
+// The axis along which a point is farthest from the lamp names its map, and that distance the width of a texel there.
+TEST_F(ShadowViews, MapsAndTexelsAreThoseOfThePlan) {
+  lab_->draw(settings_);
+  const std::vector<glm::vec4> maps = lab_->numbers_of(View::shadow_map_read),
+                               texels = lab_->numbers_of(View::shadow_texel),
+                               positions = lab_->numbers_of(View::position);
+  const ShadowPlan plan = lab_->resolve(settings_)->shadows;
+  const Light light = lab_->lights().at(0);
+  const Camera& c = settings_.camera;
+  const double pixel = 2 * std::tan(glm::radians(c.fov) / 2) / settings_.size.y;
+  std::set<int> read;
+  for (size_t i = 0; i < maps.size(); ++i) {
+    if (positions[i].a == 0) continue;
+    const glm::dvec3 place(positions[i]), from = place - light.position;
+    if (std::abs(glm::length(from) - light.range) < 1e-3) continue;
+    if (glm::length(from) > light.range) {
+      EXPECT_EQ(maps[i].r, -1);
+      EXPECT_EQ(texels[i].r, -1);
+      continue;
+    }
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+      if (std::abs(from[k]) > std::abs(from[axis])) axis = k;
+    glm::dvec3 rest = glm::abs(from);
+    const double most = std::exchange(rest[axis], 0.0);
+    if (most - std::max({rest.x, rest.y, rest.z}) < 1e-3) continue;  // at an edge of the cube
+    const int face = 2 * axis + (from[axis] < 0);
+    EXPECT_EQ(maps[i].r, static_cast<float>(face)) << "pixel " << i;
+    const double width = plan.maps[static_cast<size_t>(face)].texel * most;
+    EXPECT_NEAR(texels[i].r, width / (pixel * glm::dot(place - c.position, c.forward())), 1e-3 * double(texels[i].r));
+    read.insert(face);
+  }
+  EXPECT_GE(read.size(), 4u);
+}
+
+TEST_F(ShadowViews, CascadesFollowTheDepth) {
+  const auto scene = open_scene("builtin:bias");
+  lab_->show("builtin:bias", scene);
+  apply_scene(settings_, "builtin:bias", *scene);
+  settings_.lights.source = LightSource::scene;  // the first is the sun
+  settings_.view.pick = 0;
+  lab_->draw(settings_);
+  const std::vector<glm::vec4> maps = lab_->numbers_of(View::shadow_map_read), depth = lab_->numbers_of(View::depth);
+  const ShadowPlan plan = lab_->resolve(settings_)->shadows;
+  std::set<int> read;
+  for (size_t i = 0; i < maps.size(); ++i) {
+    if (depth[i].a == 0) continue;
+    int cascade = 0;
+    bool at_a_seam = false;
+    for (int k = 0; k + 1 < settings_.shadow.cascades; ++k) {
+      const double up_to = plan.maps[static_cast<size_t>(k)].up_to;
+      cascade += double(depth[i].r) >= up_to, at_a_seam |= std::abs(double(depth[i].r) - up_to) < 1e-3 * up_to;
+    }
+    if (at_a_seam) continue;
+    EXPECT_EQ(maps[i].r, static_cast<float>(cascade)) << "pixel " << i;
+    read.insert(cascade);
+  }
+  EXPECT_GE(read.size(), 2u);
 }
 
 TEST_F(ShadowViews, WithoutShadowsTheySayWhatIsMissing) {
