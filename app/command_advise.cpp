@@ -78,6 +78,13 @@ Json json_of(const std::vector<Tried>& all) {
   return out;
 }
 
+Json json_of(const std::vector<SightChoice>& all) {
+  Json out = Json::array();
+  for (const SightChoice& c : all)
+    out.push_back({{"taken", in_words(c.tried[c.taken].values)}, {"tried", json_of(c.tried)}});
+  return out;
+}
+
 void print_setup(const char* title, const std::optional<AdvisedSetup>& s, AdviceCost cost) {
   if (!s) return;
   const std::string cost_text = std::isnan(s->cost) ? "" : fmt::format("{:.4g} {}, ", s->cost, row(cost).unit);
@@ -95,6 +102,11 @@ void print_text(const Advice& advice, AdviceCost cost) {
         advice.measured.size());
   print_setup(advice.stopped ? "stopped; cheapest so far" : "cheapest", advice.best, cost);
   print_setup("runner-up", advice.runner_up, cost);
+  if (advice.together)
+    fmt::print(
+        "  with shadows, mirrors and height maps: {:.3g} % of the pixels over from camera {}, the worst by {:.2f} "
+        "codes\n",
+        100 * advice.together->worst.share_over(), advice.together->camera, 255 * advice.together->worst.worst);
   for (const AdvisedSetup& m : advice.measured)
     fmt::print("measured: {:8.4g} {}  {:3} B/px  {}\n", m.cost, row(cost).unit, m.bytes_per_pixel,
                in_words(setup_values(m.settings)));
@@ -139,6 +151,8 @@ ExitCode run_advise(const Arguments& a) {
                             {"values", json_of(advice.values)},
                             {"rejected", json_of(advice.rejected)},
                             {"measured", json_of(advice.measured)},
+                            {"sights", json_of(advice.sights)},
+                            {"together", advice.together ? json_of(std::vector{*advice.together})[0] : Json(nullptr)},
                             {"left_out", advice.left_out},
                             {"stopped", advice.stopped},
                             {"cost_unit", row(cost).unit}}

@@ -12,6 +12,13 @@ bool same_truth(const Settings& a, const Settings& b) {
   return true;
 }
 
+Settings lit_alone(Settings s) {
+  s.shadows = Shadows::off;
+  s.reflections = Reflections::off;
+  s.height_map = HeightMap::off;
+  return s;
+}
+
 std::vector<std::string> ids_of(const std::set<Mistake>& mistakes) {
   std::vector<std::string> ids;
   for (const Mistake m : mistakes) ids.emplace_back(row(m).id);

@@ -161,6 +161,9 @@ struct Settings {
 // The truth alone: two settings with equal truth share one reference picture.
 bool same_truth(const Settings&, const Settings&);
 
+// The same with nothing hidden from a light, mirrored or sunk: what is left is what a G-buffer stores.
+Settings lit_alone(Settings);
+
 // Sorted, as files and messages name them.
 std::vector<std::string> ids_of(const std::set<Mistake>&);
 

@@ -42,13 +42,6 @@ Settings witness_of(const Settings& s) {
   return w;
 }
 
-Settings witnessed(Settings s) {
-  s.shadows = Shadows::off;
-  s.reflections = Reflections::off;
-  s.height_map = HeightMap::off;
-  return s;
-}
-
 const gl::Texture& TruthTextures::of(ErrorOf what) const {
   switch (what) {
     case ErrorOf::final:
@@ -100,7 +93,7 @@ void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   depth_ = gl::make_texture({.size = settings_.size, .format = Format::d32f, .label = "seen.depth"});
   desc.depth = &depth_;
   framebuffer_ = gl::make_framebuffer(desc);
-  renderer.render(witnessed(settings_), scene, targets_);
+  renderer.render(lit_alone(settings_), scene, targets_);
   witness_read_.start(*targets_.frame.texture(Stores::lit));
   renderer.draw_seen(settings_, scene, targets_, framebuffer_);
   for (size_t k = 0; k < seen_.size(); ++k) reads_[k].start(seen_[k]);

@@ -15,9 +15,8 @@ namespace gbl {
 // frame misses is float arithmetic's doing, not a set-up's.
 Settings witness_of(const Settings&);
 // The errors of a shadow map, a mirror's picture and steps into a height map are no float arithmetic's: such settings have no
-// witness, and nothing is excused. Without these they have one.
-Settings witnessed(Settings);
-inline bool has_witness(const Settings& s) { return s == witnessed(s); }
+// witness, and nothing is excused.
+inline bool has_witness(const Settings& s) { return s == lit_alone(s); }
 
 // The truth as textures, for the views `reference` and `error`. Rounded once to float.
 struct TruthTextures {

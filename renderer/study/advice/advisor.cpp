@@ -14,6 +14,7 @@
 #include "renderer/light/lights.h"
 #include "renderer/options/options.h"
 #include "renderer/study/advice/axis_values.h"
+#include "renderer/study/advice/sight_advice.h"
 
 namespace gbl {
 namespace {
@@ -40,7 +41,8 @@ class Advisor {
         measure_(measure),
         progress_(progress),
         cancel_(cancel),
-        base_(lossless(truth, limits.features)) {
+        truth_(truth),
+        base_(lossless(lit_alone(truth), limits.features)) {
     base_.lights.method = choose_method(base_, lights_of(truth, scene), limits.features).method;
   }
 
@@ -63,6 +65,48 @@ class Advisor {
       take_two(measured(setups_that_hold()));
     else
       take_two(two_cheapest());
+    look_at_sights();
+  }
+
+  // From every camera.
+  Tried worst_of(const std::vector<Assignment>& values, const Settings& s) const {
+    step(in_words(values));
+    Tried out{values, true, 0, {}};
+    for (int camera = 0; camera < kAdviceCameras; ++camera) {
+      const BoundCheck b = judge_(s, camera);
+      if (camera == 0 || b.share_over() > out.worst.share_over()) out.camera = camera, out.worst = b;
+    }
+    out.holds = budget_.holds(out.worst);
+    return out;
+  }
+
+  // What is not stored comes on top of the set-up that stores the rest.
+  void look_at_sights() {
+    if (!advice_.best || truth_ == lit_alone(truth_)) return;
+    std::vector<Assignment> chosen;
+    const std::vector<SightAxis> axes = sight_axes(truth_, shadowed_lights());
+    for (const SightAxis& axis : axes) {
+      const auto judge = [&](const std::vector<Assignment>& v, const Settings& s) { return worst_of(v, s); };
+      SightChoice choice = choose_sight(axis, base_, chosen, budget_, limits_, judge);
+      for (std::string& line : in_sentences(axis, choice, budget_)) sights_left_out_.push_back(std::move(line));
+      for (const Assignment& a : choice.tried[choice.taken].values) chosen.push_back(a);
+      advice_.sights.push_back(std::move(choice));
+    }
+    for (std::optional<AdvisedSetup>* setup : {&advice_.best, &advice_.runner_up}) {
+      if (!*setup) continue;
+      Settings& s = (*setup)->settings;
+      s.shadows = truth_.shadows, s.reflections = truth_.reflections, s.height_map = truth_.height_map;
+      if (!chosen.empty()) apply_values(s, chosen);
+      if (cost_ == AdviceCost::time) (*setup)->cost = measure_(s);
+    }
+    advice_.together = worst_of(setup_values(advice_.best->settings), advice_.best->settings);
+  }
+
+  int shadowed_lights() const {
+    const std::vector<Light> lights = lights_of(truth_, scene_);
+    if (truth_.shadows == Shadows::all) return static_cast<int>(lights.size());
+    return static_cast<int>(
+        std::count_if(lights.begin(), lights.end(), [](const Light& l) { return l.kind == LightKind::directional; }));
   }
 
   void step(const std::string& what) const {
@@ -268,6 +312,7 @@ class Advisor {
         advice_.left_out.push_back(
             fmt::format("{}: {:.3g} % of the pixels are over the bound from camera {}, the worst by {:.3g} codes",
                         in_words(t.values), 100 * t.worst.share_over(), t.camera, 255 * t.worst.worst));
+    for (const std::string& line : sights_left_out_) advice_.left_out.push_back(line);
   }
 
   const Scene& scene_;
@@ -278,7 +323,9 @@ class Advisor {
   const CostFn& measure_;
   const AdviceProgress& progress_;
   const std::atomic<bool>& cancel_;
+  const Settings truth_;
   Settings base_;
+  std::vector<std::string> sights_left_out_;
   std::vector<Values> axes_;            // of each, the values that hold alone
   std::optional<AdvisedSetup> so_far_;  // of the values alone: the fewest bytes that hold
   Advice advice_;
@@ -287,9 +334,11 @@ class Advisor {
 }  // namespace
 
 std::vector<Assignment> setup_values(const Settings& s) {
-  constexpr const char* kPaths[] = {"lights.method",       "layout",       "normal.encoding",
-                                    "position.source",     "depth.format", "accumulation.format",
-                                    "accumulation.targets"};
+  constexpr const char* kPaths[] = {"lights.method",        "layout",          "normal.encoding",
+                                    "position.source",      "depth.format",    "accumulation.format",
+                                    "accumulation.targets", "shadow.map-size", "shadow.max-lights",
+                                    "reflect.method",       "reflect.size",    "parallax.method",
+                                    "parallax.steps"};
   std::vector<Assignment> values;
   for (const char* path : kPaths)
     if (const Option& o = option(path); in_use(o, s)) values.push_back({path, o.get(s)});

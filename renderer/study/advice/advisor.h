@@ -3,7 +3,8 @@
 // of every axis alone, with nothing else lost, then the products of those that hold, cheapest first. By bytes and by
 // pairs all of them are in the order of their cost, and the first that holds is the answer. By time it is the fastest of
 // those that were measured: every sound method with the smallest set-up, and a few more set-ups with the fastest method. "Model no more
-// than a scene needs" (the user's words), carried out. No GL: what is measured comes through a JudgeFn.
+// than a scene needs" (the user's words), carried out. Shadows, mirrors and height maps are judged apart from what is stored.
+// No GL: what is measured comes through a JudgeFn.
 #include <atomic>
 #include <functional>
 #include <optional>
@@ -51,6 +52,12 @@ struct Tried {
   BoundCheck worst;  // there
 };
 
+// Of an axis that no layout stores (sight_advice.h): the values in the order of their cost, each with its worst camera.
+struct SightChoice {
+  std::vector<Tried> tried;
+  size_t taken = 0;
+};
+
 struct AdvisedSetup {
   Settings settings;
   double cost = 0;
@@ -63,6 +70,8 @@ struct Advice {
   std::vector<Tried> values;                    // each axis' values alone, in the order tried
   std::vector<Tried> rejected;                  // whole set-ups cheaper than the best that failed together
   std::vector<AdvisedSetup> measured;           // by time: all that the best is the fastest of
+  std::vector<SightChoice> sights;              // shadow maps, mirrors, height maps: what the best has of them
+  std::optional<Tried> together;                // with these: the best as a whole. It need not hold: see sight_advice.h
   std::vector<std::string> left_out;            // what the best leaves out and why, a sentence each
   bool stopped = false;  // before the answer: `best` is the cheapest so far that holds, if there is one
 };

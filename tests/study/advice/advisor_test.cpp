@@ -196,5 +196,66 @@ TEST(ErrorBudget, IsAShareOrEveryPixel) {
   EXPECT_FALSE((ErrorBudget{1 / 255.0, 0}.holds(b)));
 }
 
+// Shadows: the share over halves with each larger map up to 2048 and stays then; the second of three lights is enough.
+struct ShadowWorld : World {
+  double floor = 0.0;
+  ShadowWorld() {
+    truth.shadows = Shadows::all;
+    truth.lights.source = LightSource::scene;
+    scene.lights = {point_light({0, 1, 0}), point_light({1, 1, 0}), point_light({2, 1, 0})};
+  }
+  Advice advise_with_shadows() {
+    return gbl::advise(
+        truth, scene, budget, AdviceCost::bytes, {all_features()},
+        [&](const Settings& s, int camera) {
+          BoundCheck b = check(s, camera);
+          b.compared *= 100, b.over *= 100;
+          if (s.shadows == Shadows::off) return b;
+          const int size = std::min(static_cast<int>(s.shadow.map_size), static_cast<int>(ShadowMapSize::s2048));
+          b.over += static_cast<size_t>(800 >> size) + static_cast<size_t>(floor * 100000);  // 0.8 % … 0.1 %
+          if (s.shadow.max_lights < 2) b.over += 5000;
+          return b;
+        },
+        [](const Settings&) { return 1.0; }, [](const std::string&) {}, cancel);
+  }
+};
+
+TEST(Advisor, ShadowsAreAskedForApartFromWhatIsStored) {
+  ShadowWorld w;
+  World without;
+  const Advice a = w.advise_with_shadows(), plain = without.advise(AdviceCost::bytes);
+  ASSERT_TRUE(a.best && a.runner_up && plain.best);
+  EXPECT_EQ(a.best->bytes_per_pixel, plain.best->bytes_per_pixel) << "a shadow's edge must not ask for more bits";
+  ASSERT_EQ(a.sights.size(), 2u);
+  for (const AdvisedSetup& s : {*a.best, *a.runner_up}) {
+    EXPECT_EQ(s.settings.shadows, Shadows::all);
+    EXPECT_EQ(s.settings.shadow.map_size, ShadowMapSize::s2048) << "the first that holds 0.1 %";
+    EXPECT_EQ(s.settings.shadow.max_lights, 2) << "the third light's shadow changes nothing";
+  }
+  ASSERT_TRUE(a.together);
+  EXPECT_TRUE(a.together->holds);
+  EXPECT_TRUE(contains(in_words(setup_values(a.best->settings)), "shadow.map-size=2048 shadow.max-lights=2"));
+}
+
+// Where no map holds the budget: the smallest that is as good as the largest within it.
+TEST(Advisor, TakesTheSmallestMapThatIsAsGoodAsTheBest) {
+  ShadowWorld w;
+  w.floor = 0.02;
+  const Advice a = w.advise_with_shadows();
+  ASSERT_TRUE(a.best && a.together);
+  EXPECT_EQ(a.best->settings.shadow.map_size, ShadowMapSize::s1024) << "2.2 %, and 2.1 % is the least";
+  EXPECT_FALSE(a.together->holds);
+  bool said = false;
+  for (const std::string& line : a.left_out) said |= contains(line, "no more of shadow maps brings that down");
+  EXPECT_TRUE(said);
+}
+
+TEST(Advisor, WithoutShadowsNothingIsAskedOfThem) {
+  World w;
+  const Advice a = w.advise(AdviceCost::bytes);
+  EXPECT_TRUE(a.sights.empty());
+  EXPECT_FALSE(a.together);
+}
+
 }  // namespace
 }  // namespace gbl::test
