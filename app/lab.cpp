@@ -94,7 +94,7 @@ std::optional<PixelAccount> Lab::account(const PixelProbe& probe, bool wait) {
   const size_t i =
       static_cast<size_t>(probe.pixel.y) * static_cast<size_t>(drawn_.size.x) + static_cast<size_t>(probe.pixel.x);
   const SeenSurface shown = renderer_.surface_at(drawn_, *gpu_scene_, targets_, probe.pixel);
-  PixelAccount account = account_of(targets_.drawn->settings, scene(), truth->texels[i], probe);
+  PixelAccount account = account_of(targets_.drawn->settings, *truth->scene, truth->texels[i], probe);
   account.shown = shown, account.tie = is_tie(truth->truth, i, shown);
   return account;
 }

@@ -7,7 +7,7 @@
 
 namespace gbl {
 
-enum class Feature { none, debug_labels, timer_query, depth_clamp, clip_control, compute };
+enum class Feature { none, debug_labels, timer_query, depth_clamp, clip_control, compute, tessellation };
 
 struct FeatureRow {
   Feature feature;
@@ -21,6 +21,7 @@ inline constexpr FeatureRow kFeatures[] = {
     {Feature::depth_clamp, "depth-clamp", "light volumes that are depth-tested and cut by near or far plane"},
     {Feature::clip_control, "clip-control", "reversed depth with a 0..1 clip range"},
     {Feature::compute, "compute", "tiled light lists built on the GPU"},
+    {Feature::tessellation, "tessellation", "surfaces cut into small triangles and moved by their height maps"},
 };
 
 // A set of features, small enough to pass by value.

@@ -96,6 +96,28 @@ void take_mirrors(ResolvedFrame& f, const Scene& scene) {
   f.mirrors = std::move(all);
 }
 
+// Each has a mesh of its own: how finely it is cut depends on where it stands.
+void take_tessellated(ResolvedFrame& f, const Scene& scene) {
+  const Settings& s = f.settings;
+  if (s.height_map == HeightMap::off) return;
+  std::vector<int> uses(scene.meshes.size());
+  for (const Instance& i : scene.instances) ++uses[static_cast<size_t>(i.mesh)];
+  int shared = 0, deep = 0;
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& in = scene.instances[i];
+    if (!has_heights(scene.materials[static_cast<size_t>(in.material)])) continue;
+    ++deep;
+    if (s.tessellation.mode == TessellationMode::off) continue;
+    if (uses[static_cast<size_t>(in.mesh)] == 1)
+      f.tessellated.push_back(static_cast<int>(i));
+    else
+      ++shared;
+  }
+  if (deep == 0) f.choices.emplace_back("all surfaces stay flat: no material of the scene has a height map");
+  if (shared > 0)
+    f.choices.push_back(fmt::format("{} objects are not tessellated: they share their meshes with others", shared));
+}
+
 Settings without_view(Settings s) {
   s.view = {};
   return s;
@@ -140,6 +162,7 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   take_camera(f);
   take_shadows(f, scene, all, s.camera);
   take_mirrors(f, scene);
+  take_tessellated(f, scene);
   f.light_sum_scale = light_sum_scale(f.settings.exposure);
   f.transparent_pass = has_transparent(scene) || f.settings.lights.markers == LightMarkers::on;
   return f;

@@ -38,6 +38,8 @@ struct ResolvedFrame {
   ShadowPlan shadows;           // no maps: no light has a shadow
   std::vector<Mirror> mirrors;  // that show the scene; flat ones only where planes are drawn
 
+  std::vector<int> tessellated;  // objects, from 0, that are drawn as triangles made from their height maps
+
   double light_sum_scale = 1;  // light sums are stored times this power of two
 
   double aspect = 1;  // width over height

@@ -33,7 +33,8 @@ FeatureSet present_features(int time_query_bits) {
   if (time_query_bits > 0) set.add(Feature::timer_query);
   if (epoxy_gl_version() >= 32 || epoxy_has_gl_extension("GL_ARB_depth_clamp")) set.add(Feature::depth_clamp);
   if (gl45 || epoxy_has_gl_extension("GL_ARB_clip_control")) set.add(Feature::clip_control);
-  if (gl43) set.add(Feature::compute);  // our compute shaders are GLSL 4.30
+  if (gl43) set.add(Feature::compute);                           // our compute shaders are GLSL 4.30
+  if (epoxy_gl_version() >= 40) set.add(Feature::tessellation);  // with transform feedback objects
   return set;
 }
 

@@ -18,6 +18,9 @@ GLuint create_name(Kind kind) {
     case Kind::vertex_shader: id = glCreateShader(GL_VERTEX_SHADER); break;
     case Kind::fragment_shader: id = glCreateShader(GL_FRAGMENT_SHADER); break;
     case Kind::compute_shader: id = glCreateShader(GL_COMPUTE_SHADER); break;
+    case Kind::control_shader: id = glCreateShader(GL_TESS_CONTROL_SHADER); break;
+    case Kind::evaluation_shader: id = glCreateShader(GL_TESS_EVALUATION_SHADER); break;
+    case Kind::transform_feedback: glGenTransformFeedbacks(1, &id); break;
   }
   ++g_live;
   return id;
@@ -34,7 +37,10 @@ void delete_name(Kind kind, GLuint id) {
     case Kind::query: glDeleteQueries(1, &id); break;
     case Kind::vertex_shader:
     case Kind::fragment_shader:
-    case Kind::compute_shader: glDeleteShader(id); break;
+    case Kind::compute_shader:
+    case Kind::control_shader:
+    case Kind::evaluation_shader: glDeleteShader(id); break;
+    case Kind::transform_feedback: glDeleteTransformFeedbacks(1, &id); break;
   }
   --g_live;
 }

@@ -16,7 +16,10 @@ enum class Kind {
   query,
   vertex_shader,
   fragment_shader,
-  compute_shader
+  compute_shader,
+  control_shader,
+  evaluation_shader,
+  transform_feedback
 };
 
 GLuint create_name(Kind);

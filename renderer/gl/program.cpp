@@ -16,6 +16,16 @@ namespace {
 
 constexpr const char* kPrelude = "#version 330 core\n#define real float\n";
 constexpr const char* kComputePrelude = "#version 430 core\n#define real float\n";
+constexpr const char* kTessellationPrelude = "#version 400 core\n#define real float\n";
+
+constexpr const char* prelude_of(Kind stage) {
+  switch (stage) {
+    case Kind::compute_shader: return kComputePrelude;
+    case Kind::control_shader:
+    case Kind::evaluation_shader: return kTessellationPrelude;
+    default: return kPrelude;
+  }
+}
 
 // The file of an #include line: in quotes, or the value of a define that stands there. Empty: the line is another.
 std::string included_file(const std::string& line, const Defines& defines, std::string_view where) {
@@ -61,7 +71,7 @@ std::string info_log(GLuint id, decltype(glGetShaderiv) length, decltype(glGetSh
 template <Kind kStage>
 Object<kStage> compile_stage(const ShaderText& text) {
   auto shader = Object<kStage>::make();
-  const char* parts[] = {kStage == Kind::compute_shader ? kComputePrelude : kPrelude, text.body.c_str()};
+  const char* parts[] = {prelude_of(kStage), text.body.c_str()};
   glShaderSource(shader.id(), 2, parts, nullptr);
   glCompileShader(shader.id());
   GLint ok = 0;
@@ -157,12 +167,15 @@ GLint Program::location(const char* name, bool may_be_unused) const {
 GLint Program::uniform(const char* name) const { return location(name, false); }
 GLint Program::find_uniform(const char* name) const { return location(name, true); }
 
-Program link(std::string_view label, std::span<const GLuint> stages, UniformNames declared) {
+Program link(std::string_view label, std::span<const GLuint> stages, UniformNames declared,
+             std::span<const char* const> captured = {}) {
   Program p;
   p.name_ = Object<Kind::program>::make();
   p.label_ = label;
   p.declared_ = std::move(declared);
   for (const GLuint s : stages) glAttachShader(p.id(), s);
+  if (!captured.empty())
+    glTransformFeedbackVaryings(p.id(), static_cast<GLsizei>(captured.size()), captured.data(), GL_INTERLEAVED_ATTRIBS);
   glLinkProgram(p.id());
   for (const GLuint s : stages) glDetachShader(p.id(), s);
   GLint ok = 0;
@@ -186,6 +199,15 @@ Program compile_compute_program(const ShaderText& text) {
   const auto stage = compile_stage<Kind::compute_shader>(text);
   const GLuint stages[] = {stage.id()};
   return link(text.name, stages, declared_in({&text}));
+}
+
+Program compile_tessellation_program(const ShaderText& vertex, const ShaderText& control, const ShaderText& evaluation,
+                                     std::span<const char* const> captured) {
+  const auto first = compile_stage<Kind::vertex_shader>(vertex);
+  const auto second = compile_stage<Kind::control_shader>(control);
+  const auto third = compile_stage<Kind::evaluation_shader>(evaluation);
+  const GLuint stages[] = {first.id(), second.id(), third.id()};
+  return link(evaluation.name, stages, declared_in({&vertex, &control, &evaluation}), captured);
 }
 
 }  // namespace gbl::gl

@@ -46,7 +46,8 @@ class Program {
   GLint find_uniform(const char* name) const;
 
  private:
-  friend Program link(std::string_view label, std::span<const GLuint> stages, UniformNames declared);
+  friend Program link(std::string_view label, std::span<const GLuint> stages, UniformNames declared,
+                      std::span<const char* const> captured);
   GLint location(const char* name, bool may_be_unused) const;
   Object<Kind::program> name_;
   std::string label_;
@@ -57,5 +58,8 @@ class Program {
 // Error(bad_input) with file and line.
 Program compile_program(const ShaderText& vertex, const ShaderText& fragment);
 Program compile_compute_program(const ShaderText&);  // needs Feature::compute
+// Makes triangles of patches, and writes these outputs of each corner one after the other; draws nothing.
+Program compile_tessellation_program(const ShaderText& vertex, const ShaderText& control, const ShaderText& evaluation,
+                                     std::span<const char* const> captured);  // needs Feature::tessellation
 
 }  // namespace gbl::gl

@@ -37,6 +37,11 @@ constexpr ValueRow kParallaxDepth[] = {
   {.value = at(ParallaxDepth::displaced), .id = "displaced", .label = "displaced", .help = "the surface is stored, lit and shadowed where it is seen", .cost = "depth is written by the shader: no early test"},
   {.value = at(ParallaxDepth::flat), .id = "flat", .label = "flat", .help = "only textures move: lights and shadows fall on the flat surface", .pitfall = Pitfall::parallax_flat_depth},
 };
+constexpr ValueRow kTessellationMode[] = {
+  {.value = at(TessellationMode::off), .id = "off", .label = "off", .help = "height maps are looked into (parallax.method): the mesh is as it is"},
+  {.value = at(TessellationMode::uniform), .id = "uniform", .label = "uniform", .help = "every triangle of a mesh with a height map is cut into level x level, and their corners moved by it: outlines and shadows follow", .cost = "level x level triangles for one", .needs = Feature::tessellation},
+  {.value = at(TessellationMode::by_distance), .id = "by-distance", .label = "by distance", .help = "as many along each edge as its length over its distance asks for: near ones fine, far ones coarse", .cost = "level x level triangles for one at most", .source = "Cantlay 2011, DirectX 11 Terrain Tessellation", .needs = Feature::tessellation},
+};
 constexpr ValueRow kAlbedoSource[] = {
   {.value = at(AlbedoSource::textured), .id = "textured", .label = "textured", .help = "the material's own colour"},
   {.value = at(AlbedoSource::white), .id = "white", .label = "white", .help = "every surface white: the lighting alone"},
@@ -106,6 +111,7 @@ GBL_ROWS(NormalMap, kNormalMap)
 GBL_ROWS(HeightMap, kHeightMap)
 GBL_ROWS(ParallaxMethod, kParallaxMethod)
 GBL_ROWS(ParallaxDepth, kParallaxDepth)
+GBL_ROWS(TessellationMode, kTessellationMode)
 GBL_ROWS(AlbedoSource, kAlbedoSource)
 GBL_ROWS(Colour, kColour)
 GBL_ROWS(AccumulationFormat, kAccumulationFormat)

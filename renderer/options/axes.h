@@ -11,6 +11,7 @@ enum class NormalMap { on, off };
 enum class HeightMap { off, on };
 enum class ParallaxMethod { none, offset, steep, occlusion, relief };
 enum class ParallaxDepth { displaced, flat };
+enum class TessellationMode { off, uniform, by_distance };
 enum class AlbedoSource { textured, white };
 enum class Colour { srgb, as_tutorial };
 enum class AccumulationFormat { rgba8, r11g11b10f, rgba16f, rgba32f };

@@ -77,6 +77,11 @@ struct Settings {
   } background;
   NormalMap normal_map = NormalMap::on;
   HeightMap height_map = HeightMap::off;
+  struct Tessellation {
+    TessellationMode mode = TessellationMode::off;
+    int level = 16;
+    bool operator==(const Tessellation&) const = default;
+  } tessellation;
   AlbedoSource albedo = AlbedoSource::textured;
   double exposure = 1;
   Colour colour = Colour::srgb;

@@ -38,6 +38,7 @@ std::shared_ptr<const ResolvedFrame> Renderer::resolve(const Settings& s, const 
 
 Frame Renderer::frame_of(const Settings& s, const GpuScene& scene, Targets& targets) {
   Frame frame(resolve(s, scene), s.view, scene, targets, programs_, shapes_);
+  if (!targets.cut.tessellation) targets.tessellation.update(programs_, frame.resolved, scene);
   upload_frame_block(frame);
   return frame;
 }
@@ -54,7 +55,7 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
   report.time_source = gl::time_source();
   report.gbuffer_bytes_per_pixel = f.gbuffer_bytes_per_pixel;
   report.accumulation_bytes_per_pixel = f.accumulation_bytes_per_pixel;
-  report.mib = targets.frame.mib() + shadow_mib(f) + mirrors_mib(targets.mirrors);
+  report.mib = targets.frame.mib() + shadow_mib(f) + mirrors_mib(targets.mirrors) + targets.tessellation.mib();
   report.light_count = static_cast<int>(f.lights.size());
   report.light_total = f.light_total;
   return report;
@@ -70,19 +71,25 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   targets.reads.drop();
   targets.timers.next_frame();
   targets.drawn = resolved;
-  int mirrored_calls = 0;
+  int calls_before = 0;
+  if (resolved->tessellated.empty()) {
+    targets.tessellation.update(programs_, *resolved, scene);  // lets its triangles go
+  } else if (!targets.cut.tessellation) {
+    const gl::PassScope scope(targets.timers, "tessellation");
+    calls_before += targets.tessellation.update(programs_, *resolved, scene);
+  }
   if (resolved->mirrors.empty()) {
     targets.mirrors = {};
   } else {
     const gl::PassScope scope(targets.timers, "mirrors");
-    mirrored_calls = draw_mirrored(*this, asked, *resolved, scene, targets.mirrors);
+    calls_before += draw_mirrored(*this, asked, *resolved, scene, targets);
   }
   // As it was resolved above: the frames in mirrors may have pushed it out of the resolver's memory.
   Frame frame(resolved, asked.view, scene, targets, programs_, shapes_);
   upload_frame_block(frame);
   upload_lights(frame);
   FrameReport report = report_of(*resolved, asked, targets);
-  report.draw_calls = mirrored_calls;
+  report.draw_calls = calls_before;
   for (const PassRow& pass : kPasses) {
     // In a mirror only what is lit is seen, and the frame around it is timed as one.
     if (!pass.needed(*resolved) || (targets.cut.nested && pass.draw == draw_transparent)) continue;

@@ -37,6 +37,10 @@ class Frame {
   int light_count() const { return static_cast<int>(resolved.lights.size()); }
   const gl::Texture& texture(Stores what) const { return *targets_.frame.texture(what); }  // must be stored
   const gl::Framebuffer& framebuffer(Pass pass) const { return targets_.frame.framebuffer(pass); }
+  // Objects that are drawn as other triangles than their meshes'.
+  const Tessellation& tessellation() const {
+    return targets_.cut.tessellation ? *targets_.cut.tessellation : targets_.tessellation;
+  }
   glm::vec3 background() const;  // linear; the sky's is a function of direction, in the shader
 
   gl::Defines defines() const;          // of every program that reads the G-buffer or the lights

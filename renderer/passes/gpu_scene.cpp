@@ -8,9 +8,8 @@
 #include "renderer/picture/srgb.h"
 
 namespace gbl {
-namespace {
 
-gl::VertexArray vertex_array(const gl::Buffer& vertices, const gl::Buffer* indices) {
+gl::VertexArray vertex_array_of(const gl::Buffer& vertices, const gl::Buffer* indices) {
   return gl::make_vertex_array(vertices, sizeof(Vertex),
                                {{0, 3, offsetof(Vertex, position)},
                                 {1, 3, offsetof(Vertex, normal)},
@@ -21,6 +20,8 @@ gl::VertexArray vertex_array(const gl::Buffer& vertices, const gl::Buffer* indic
                                indices);
 }
 
+namespace {
+
 gl::Buffer upload_vertices(const std::vector<Vertex>& vertices, const std::string& name) {
   return gl::make_buffer(GL_ARRAY_BUFFER, vertices.data(), vertices.size() * sizeof(Vertex), name);
 }
@@ -29,7 +30,7 @@ GpuScene::GpuMesh upload(const Mesh& mesh) {
   GpuScene::GpuMesh m;
   m.vertices = upload_vertices(mesh.vertices, mesh.name);
   m.indices = gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(), mesh.indices.size() * 4, mesh.name);
-  m.vertex_array = vertex_array(m.vertices, &m.indices);
+  m.vertex_array = vertex_array_of(m.vertices, &m.indices);
   m.index_count = static_cast<GLsizei>(mesh.indices.size());
   return m;
 }
@@ -40,7 +41,7 @@ GpuScene::GpuMesh upload_unshared(const Mesh& mesh, size_t first, size_t end) {
   for (size_t i = first; i < end; ++i) corners.push_back(mesh.vertices[mesh.indices[i]]);
   GpuScene::GpuMesh m;
   m.vertices = upload_vertices(corners, mesh.name);
-  m.vertex_array = vertex_array(m.vertices, nullptr);
+  m.vertex_array = vertex_array_of(m.vertices, nullptr);
   m.index_count = static_cast<GLsizei>(corners.size());
   return m;
 }
@@ -99,7 +100,8 @@ static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) 
   for (const int i : batch.instances)
     for (const glm::dvec3& c : corners)
       include(out, scene.instances[static_cast<size_t>(i)].world_from_object * glm::dvec4(c, 1));
-  return out;
+  const double below = double(scene.materials[static_cast<size_t>(batch.material)].height_depth);
+  return {out.min - below, out.max + below};
 }
 
 GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {

@@ -10,6 +10,9 @@
 
 namespace gbl {
 
+// That reads an array of Vertex.
+gl::VertexArray vertex_array_of(const gl::Buffer& vertices, const gl::Buffer* indices);
+
 class GpuScene {
  public:
   explicit GpuScene(std::shared_ptr<const Scene> scene);

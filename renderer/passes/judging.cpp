@@ -121,8 +121,8 @@ bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const 
                                bool wait) {
   if (asked_below_ || settings_.height_map == HeightMap::off) return true;
   if (!uvs_moved_.valid())
-    uvs_moved_ = std::async(std::launch::async, [this, texels, scene = scene.shared_scene()] {
-      return uvs_moved(HeightFields(settings_, *scene), settings_, texels, threads_);
+    uvs_moved_ = std::async(std::launch::async, [this, texels] {
+      return uvs_moved(HeightFields(settings_, *scene_), settings_, texels, threads_);
     });
   if (!wait && uvs_moved_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   const std::vector<glm::vec4> moved = uvs_moved_.get();
@@ -139,9 +139,10 @@ bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const 
 bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
   if (work_.valid()) return true;
   std::optional<std::vector<SeenTexel>> texels = take_texels(wait);
+  if (texels && !scene_) scene_ = targets_.tessellation.drawn(scene);  // it has been drawn, so that nobody waits
   if (texels && !sampled_below(renderer, scene, *texels, wait)) texels = wait ? take_texels(wait) : std::nullopt;
   if (!texels) return false;
-  reference_ = std::make_unique<Reference>(settings_, scene.shared_scene(), std::move(*texels));
+  reference_ = std::make_unique<Reference>(settings_, scene_, std::move(*texels));
   work_ = std::async(std::launch::async, [this] {
     triangles_replaced_ = reference_->check_texels();
     reference_->find_rivals(&cancel_);
@@ -163,6 +164,7 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   }
   auto set = std::make_shared<TruthSet>();
   set->settings = settings_;
+  set->scene = scene_;
   set->truth = reference_->truth();
   if (has_witness(settings_)) set->witness_lit = std::move(witness_lit_);
   set->lit_pairs = reference_->lit_pairs();

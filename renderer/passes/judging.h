@@ -29,7 +29,8 @@ TruthTextures upload(const Truth&);
 
 // Everything that a frame of these settings is judged by.
 struct TruthSet {
-  Settings settings;  // its truth part counts
+  Settings settings;                   // its truth part counts
+  std::shared_ptr<const Scene> scene;  // as it is drawn: of tessellated objects the triangles that were made
   Truth truth;
   std::vector<glm::vec3> witness_lit;  // rows top to bottom
   uint64_t lit_pairs = 0;
@@ -68,6 +69,7 @@ class TruthMaker {
   std::array<std::vector<glm::vec4>, kSeenTexels> seen_texels_;
   std::future<std::vector<glm::vec4>> uvs_moved_;
   std::vector<glm::vec3> witness_lit_;
+  std::shared_ptr<const Scene> scene_;  // as it is drawn
   std::unique_ptr<Reference> reference_;
   std::atomic<bool> cancel_{false};
   size_t triangles_replaced_ = 0;  // by `work_`

@@ -66,15 +66,16 @@ static bool sinks(const Settings& s, const Material& m) {
   return s.height_map == HeightMap::on && s.parallax.method != ParallaxMethod::none && has_heights(m);
 }
 
-gl::Defines material_defines(const Settings& s, const Material& m) {
+// `deep`: triangles follow the height map already.
+gl::Defines material_defines(const Settings& s, const Material& m, bool deep) {
   return {{"NORMAL_MAP", s.normal_map == NormalMap::on && m.normal_texture.texture != kNoTexture},
           {"ALBEDO_WHITE", s.albedo == AlbedoSource::white},
           {"ALPHA_MASK", m.alpha_mode == AlphaMode::mask},
           {"BLENDED", blends(m, s.reflections == Reflections::on)},
           {"REFRACTS", s.reflections == Reflections::on && refracts(m)},
           {"UNLIT", m.unlit},
-          {"PARALLAX", sinks(s, m) ? static_cast<int>(s.parallax.method) : 0},
-          {"HEIGHTS", s.height_map == HeightMap::on && has_heights(m)},
+          {"PARALLAX", !deep && sinks(s, m) ? static_cast<int>(s.parallax.method) : 0},
+          {"HEIGHTS", !deep && s.height_map == HeightMap::on && has_heights(m)},
           {"SPECULAR", !reflects_as_common(m)},
           {"UV_TRANSFORMS", !plain_uvs(m)}};
 }
@@ -221,15 +222,27 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     const Material& material = material_of(frame, *draw.batch);
     if (faces == ObjectFaces::culled && material.double_sided) continue;
     gl::Defines all = defines;
-    for (gl::Define& d : material_defines(frame.settings, material)) all.push_back(std::move(d));
+    const Tessellation::Object* tessellated = frame.tessellation().of_mesh(frame.scene, draw.batch->mesh);
+    for (gl::Define& d : material_defines(frame.settings, material, tessellated != nullptr))
+      all.push_back(std::move(d));
     const gl::Program& program = frame.programs.get("object.vert", fragment, all);
     glUseProgram(program.id());
     bind_material(frame, program, material);
+    // Of one object, in corners that no two triangles share.
+    const auto draw_tessellated = [&] {
+      if (corners == Corners::numbered) glUniform1i(program.find_uniform("first_triangle"), 0);
+      glBindVertexArray(tessellated->vertex_array.id());
+      glDrawTransformFeedback(GL_TRIANGLES, tessellated->captured.id());
+    };
     if (set_uniforms) set_uniforms(program);
     if (clipped) set_clip_plane(frame, program);
     glUniform1i(program.uniform("first_instance"), draw.first);
     gl::apply_cull(cull_of(faces, material.double_sided));
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
+    if (tessellated) {
+      draw_tessellated();
+      continue;
+    }
     if (corners == Corners::numbered) {
       draw_numbered(frame, draw, program);
       continue;

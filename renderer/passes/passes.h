@@ -30,7 +30,7 @@ void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, const char* sa
 int draw_shadow_maps(Frame&);
 double shadow_mib(const ResolvedFrame&);  // of the maps
 // What mirrors show, before the frame that shows them; -> draw calls
-int draw_mirrored(Renderer&, const Settings&, const ResolvedFrame&, const GpuScene&, MirrorTargets&);
+int draw_mirrored(Renderer&, const Settings&, const ResolvedFrame&, const GpuScene&, Targets& around);
 double mirrors_mib(const MirrorTargets&);
 int draw_reflections(Frame&);    // onto the mirrors
 int draw_forward_frame(Frame&);  // background, then surfaces shaded as they are drawn

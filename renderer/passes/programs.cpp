@@ -128,9 +128,17 @@ void append_surface_defines(gl::Defines& out, const Settings& s, bool emission_k
   append_mistakes(out, s, MistakeIn::surface);
 }
 
+// In the order of Vertex, which the buffer is then an array of.
+constexpr const char* kCaptured[] = {"captured_position", "captured_normal", "captured_tangent",
+                                     "captured_uv0",      "captured_uv1",    "captured_colour"};
+
 gl::Program ProgramCache::compile(const Variant& v) {
   gl::Defines defines = v.defines;
   append_common(defines);
+  if (!v.tessellation.empty()) {
+    const auto text = [&](const char* stage) { return gl::load_shader(v.tessellation + stage, defines); };
+    return gl::compile_tessellation_program(text(".vert"), text(".tesc"), text(".tese"), kCaptured);
+  }
   const gl::ShaderText fragment = gl::load_shader(v.fragment, defines);
   gl::Program program = v.vertex.empty() ? gl::compile_compute_program(fragment)
                                          : gl::compile_program(gl::load_shader(v.vertex, defines), fragment);
@@ -145,6 +153,10 @@ const gl::Program& ProgramCache::get(std::string_view vertex, std::string_view f
 
 const gl::Program& ProgramCache::get_compute(std::string_view file, const gl::Defines& defines) {
   return get({"", std::string(file), defines});
+}
+
+const gl::Program& ProgramCache::get_tessellation(std::string_view name, const gl::Defines& defines) {
+  return get({.defines = defines, .tessellation = std::string(name)});
 }
 
 const gl::Program& ProgramCache::get(Variant v) {

@@ -36,6 +36,8 @@ class ProgramCache {
   const gl::Program& get(std::string_view vertex, std::string_view fragment, const gl::Defines&);
 
   const gl::Program& get_compute(std::string_view file, const gl::Defines&);
+  // NAME.vert, NAME.tesc and NAME.tese, whose captured corners have the members of Vertex.
+  const gl::Program& get_tessellation(std::string_view name, const gl::Defines&);
 
   // Compile everything anew from the shader files. On an error all old programs stay and the Error is thrown.
   void reload();
@@ -45,6 +47,7 @@ class ProgramCache {
   struct Variant {
     std::string vertex, fragment;  // without a vertex shader: a compute shader
     gl::Defines defines;
+    std::string tessellation = {};  // the name of three shaders; then no others
     auto operator<=>(const Variant&) const = default;
   };
   static gl::Program compile(const Variant&);

@@ -41,9 +41,10 @@ Targets& nested(std::unique_ptr<Targets>& targets, const Cut& cut) {
   return *targets;
 }
 
-int draw_flat(Renderer& renderer, const Settings& s, const GpuScene& scene, const Mirror& m, MirrorTargets& t,
+int draw_flat(Renderer& renderer, const Settings& s, const GpuScene& scene, const Mirror& m, Targets& around,
               Canvas& into) {
-  Cut cut{.nested = true, .object = m.object, .behind = m.plane};
+  MirrorTargets& t = around.mirrors;
+  Cut cut{.nested = true, .object = m.object, .behind = m.plane, .tessellation = &around.tessellation};
   if (s.mistakes.count(Mistake::mirror_without_clip_plane) > 0) cut.behind.reset();
   Targets& frame = nested(t.flat_frame, cut);
   const FrameReport report = renderer.render(in_a_mirror(s, mirrored(s.camera, m.plane)), scene, frame);
@@ -52,7 +53,8 @@ int draw_flat(Renderer& renderer, const Settings& s, const GpuScene& scene, cons
   return report.draw_calls;
 }
 
-int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, const GpuScene& scene, MirrorTargets& t) {
+int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, const GpuScene& scene, Targets& around) {
+  MirrorTargets& t = around.mirrors;
   const int texels = side_texels(s);
   std::vector<const Mirror*> mirrors;
   for (const Mirror& m : f.mirrors)
@@ -64,11 +66,14 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
     wanted.back().time_s = 0;
   }
   // They depend neither on where the camera is nor on the time, but on where the lights are then.
-  if (wanted == t.held && f.lights == t.lights && t.scene.lock() == scene.shared_scene()) return 0;
+  if (wanted == t.held && t.tessellation == around.tessellation.made() && f.lights == t.lights &&
+      t.scene.lock() == scene.shared_scene())
+    return 0;
   t.held.clear();
   int calls = 0;
   for (size_t k = 0; k < mirrors.size(); ++k) {
-    Targets& frame = nested(t.side_frame, {.nested = true, .object = mirrors[k]->object});
+    Targets& frame =
+        nested(t.side_frame, {.nested = true, .object = mirrors[k]->object, .tessellation = &around.tessellation});
     for (int side = 0; side < kCubeFaces; ++side) {
       Settings one = wanted[k];
       one.time_s = s.time_s;
@@ -83,23 +88,24 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
       copy_lit(frame, t.sides.framebuffer, {side * texels, static_cast<int>(k) * texels});
     }
   }
-  t.held = wanted, t.lights = f.lights, t.scene = scene.shared_scene();
+  t.held = wanted, t.lights = f.lights, t.tessellation = around.tessellation.made(), t.scene = scene.shared_scene();
   return calls;
 }
 
 }  // namespace
 
 int draw_mirrored(Renderer& renderer, const Settings& s, const ResolvedFrame& f, const GpuScene& scene,
-                  MirrorTargets& t) {
+                  Targets& around) {
+  MirrorTargets& t = around.mirrors;
   size_t next = 0;
   int calls = 0;
   for (const Mirror& m : f.mirrors) {
     if (!m.flat) continue;
     if (next == t.flat.size()) t.flat.emplace_back();
-    calls += draw_flat(renderer, s, scene, m, t, t.flat[next++]);
+    calls += draw_flat(renderer, s, scene, m, around, t.flat[next++]);
   }
   t.flat.resize(next);
-  return calls + draw_sides(renderer, s, f, scene, t);
+  return calls + draw_sides(renderer, s, f, scene, around);
 }
 
 double mirrors_mib(const MirrorTargets& t) {

@@ -11,6 +11,7 @@
 #include "renderer/light/light_clusters.h"
 #include "renderer/light/shadow_maps.h"
 #include "renderer/passes/canvases.h"
+#include "renderer/passes/tessellation.h"
 #include "renderer/reflection/mirrors.h"
 
 namespace gbl {
@@ -47,6 +48,7 @@ struct ShadowTargets {
   std::weak_ptr<const Scene> scene;
   Settings drawn_as;  // less what maps do not depend on
   std::vector<ShadowMap> held;
+  int tessellation = 0;  // Tessellation::made() then
 };
 
 struct Targets;
@@ -56,6 +58,7 @@ struct Cut {
   bool nested = false;  // it is a picture within another frame, whose timer runs
   int object = 0;       // from 1; 0: none
   std::optional<Plane> behind;
+  const Tessellation* tessellation = nullptr;  // of the frame around it
 };
 
 // What mirrors show.
@@ -68,12 +71,14 @@ struct MirrorTargets {
   std::weak_ptr<const Scene> scene;
   std::vector<Settings> held;
   std::vector<Light> lights;  // a rig's file may have changed
+  int tessellation = 0;       // Tessellation::made() then
 };
 
 struct Targets {
   FrameTextures frame;
   Canvases canvases;
   Uploads uploads;
+  Tessellation tessellation;
   ShadowTargets shadows;
   MirrorTargets mirrors;
   Cut cut;

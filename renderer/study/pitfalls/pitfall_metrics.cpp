@@ -68,6 +68,16 @@ std::optional<double> background_off_share(const PitfallEvidence& e) {
   return share(static_cast<size_t>(e.measured.errors.background_off_pixels.value_or(0)), empty);
 }
 
+std::optional<double> holes_share(const PitfallEvidence& e) {
+  const Truth& truth = truth_in(e);
+  const std::vector<SeenSurface>& seen = e.measured.drawn.seen;
+  if (seen.size() != truth.pixels()) return {};
+  size_t surfaces = 0, holes = 0;
+  for (size_t i = 0; i < seen.size(); ++i)
+    surfaces += truth.present[i], holes += truth.present[i] && seen[i].object == 0;
+  return share(holes, surfaces);
+}
+
 std::optional<double> shaded_per_lit(const PitfallEvidence& e) {
   if (!e.pairs || e.pairs->lit.value_or(0) == 0) return {};
   return static_cast<double>(e.pairs->shaded) / static_cast<double>(*e.pairs->lit);
@@ -183,6 +193,7 @@ constexpr PitfallMetric kOwn[] = {
      "share of the surfaces' pixels that are lit and should be hidden, or the other way round", shadow_wrong_share},
     {"background_off_share", "",
      "share of the pixels without a surface that are brighter or darker than the background", background_off_share},
+    {"holes_share", "", "share of the surfaces' pixels where nothing is drawn", holes_share},
     {"shaded_per_lit", "", "pairs of pixel and light shaded over pairs lit", shaded_per_lit},
     {"markers_wrong", "", "share of light markers that are seen and should be hidden, or the other way round",
      markers_wrong},
