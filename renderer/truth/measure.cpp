@@ -42,6 +42,7 @@ constexpr ErrorColumn kColumns[] = {
     {"shadow_lit_pixels", "", "pixels that are lit although something hides the light: too bright by a quarter of what would arrive", &Errors::shadow_lit_pixels},
     {"shadow_dark_pixels", "", "pixels that are dark although nothing hides the light: too dark by a quarter of what would arrive", &Errors::shadow_dark_pixels},
     {"shadow_wrong_pixels", "", "the sum of both", &Errors::shadow_wrong_pixels},
+    {"shadow_edge_pixels", "pixels", "how far shadows' edges are off on average: wrong pixels over the pixels along true edges", &Errors::shadow_edge_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
     {"background_off_pixels", "", "pixels without a surface that are brighter or darker than the background", &Errors::background_off_pixels},
     {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
@@ -166,6 +167,29 @@ void count_lost_and_doubled(Errors& e, const Truth& truth, const Drawn& drawn) {
   e.lost_pixels = static_cast<double>(lost), e.doubled_pixels = static_cast<double>(doubled);
 }
 
+// Pixels at which a true shadow ends: of what would arrive, a quarter more or less does than at the next pixel.
+size_t count_shadow_edges(const Truth& truth) {
+  constexpr double kShare = 0.25;
+  const auto arrives = [&](size_t i) -> std::optional<double> {
+    if (!truth.present[i]) return {};
+    const int k = largest_channel(truth.unshadowed[i]);
+    const double all = truth.unshadowed[i][k];
+    return all > kCode ? std::optional(truth.light(i)[k] / all) : std::nullopt;
+  };
+  const auto width = static_cast<size_t>(truth.size.x);
+  size_t edges = 0;
+  for (size_t i = 0; i < truth.pixels(); ++i) {
+    const std::optional<double> here = arrives(i);
+    const auto ends_towards = [&](size_t j) {
+      const std::optional<double> there = arrives(j);
+      return there && std::abs(*there - *here) > kShare;
+    };
+    if (!here) continue;
+    edges += ((i + 1) % width != 0 && ends_towards(i + 1)) || (i + width < truth.pixels() && ends_towards(i + width));
+  }
+  return edges;
+}
+
 // By the channel that is brightest without shadows.
 void count_wrong_shadows(Errors& e, const Truth& truth, const Drawn& drawn) {
   constexpr double kShare = 0.25;  // of what would arrive
@@ -180,6 +204,8 @@ void count_wrong_shadows(Errors& e, const Truth& truth, const Drawn& drawn) {
   }
   e.shadow_lit_pixels = static_cast<double>(lit), e.shadow_dark_pixels = static_cast<double>(dark);
   e.shadow_wrong_pixels = static_cast<double>(lit + dark);
+  if (const size_t edges = count_shadow_edges(truth); edges > 0)
+    e.shadow_edge_pixels = *e.shadow_wrong_pixels / static_cast<double>(edges);
 }
 
 // ---- attributes -----------------------------------------------------------------------------------------------------

@@ -70,6 +70,21 @@ TEST(WrongShadows, AreCountedLitAndDarkApartByWhatWouldArrive) {
   EXPECT_FALSE(measured(p).shadow_lit_pixels) << "no light has a shadow: nothing is judged";
 }
 
+// The right half is in shadow, and its edge is drawn one pixel too far to the right in three rows of four.
+TEST(WrongShadows, EdgesAreOffByWrongPixelsForEachOfTheTrueEdge) {
+  Pair p = wall({4, 4});
+  p.truth.unshadowed.assign(p.truth.pixels(), glm::dvec3(0.25));
+  for (size_t y = 0; y < 4; ++y)
+    for (size_t x = 2; x < 4; ++x) {
+      p.truth.diffuse[4 * y + x] = p.truth.specular[4 * y + x] = glm::dvec3(0);
+      if (x == 3 || y == 0) p.drawn.lit[4 * y + x] = p.drawn.unlit[4 * y + x];
+    }
+  EXPECT_EQ(measured(p).shadow_wrong_pixels, 3);
+  EXPECT_EQ(measured(p).shadow_edge_pixels, 0.75);
+  p.truth.unshadowed.assign(p.truth.pixels(), glm::dvec3(0));
+  EXPECT_FALSE(measured(p).shadow_edge_pixels) << "no shadow ends anywhere";
+}
+
 TEST(BackgroundLit, CountsWhatIsBrighterThanTheBackground) {
   Pair p = wall({4, 4});
   p.truth.present[0] = p.truth.present[1] = p.truth.present[2] = 0;
