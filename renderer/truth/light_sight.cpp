@@ -15,7 +15,8 @@ bool LightSight::sees(const TruthLight& l, const glm::dvec3& position, const See
   if (!out) return false;
   const glm::dvec3 place = *out + camera_, to_light = towards(*out);
   const double least = rays_->least_distance(place) / glm::length(to_light);
-  return !rays_->blocked({place, to_light, least, sun ? kEndless : 1 - least}, surface);
+  const bool from_below = heights_->sinks(surface);  // where its plane ends, it is its neighbour's back that is left
+  return !rays_->blocked({place, to_light, least, sun ? kEndless : 1 - least}, surface, from_below);
 }
 
 }  // namespace gbl

@@ -89,8 +89,11 @@ std::optional<SurfaceHit> RayScene::first_hit(const RayPart& ray) const {
   return first;
 }
 
-bool RayScene::blocked(const RayPart& ray, const SeenSurface& except) const {
-  return along(ray, [&](const SurfaceHit& hit, RayPart&) { return hit.surface != except; });
+bool RayScene::blocked(const RayPart& ray, const SeenSurface& except, bool from_below) const {
+  return along(ray, [&](const SurfaceHit& hit, RayPart&) {
+    const bool way_out = from_below && hit.from_behind && hit.surface.object == except.object;
+    return hit.surface != except && !way_out;
+  });
 }
 
 double RayScene::least_distance(const glm::dvec3& place) const {

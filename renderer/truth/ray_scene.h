@@ -24,8 +24,9 @@ class RayScene {
   // The nearest within the part; world units, whatever side is met.
   std::optional<SurfaceHit> first_hit(const RayPart&) const;
 
-  // Is anything in the way? `except`: the surface on which the ray begins, which cannot hide itself.
-  bool blocked(const RayPart&, const SeenSurface& except) const;
+  // Is anything in the way? `except`: the surface on which the ray begins, which cannot hide itself. from_below: it begins
+  // below its object's surface, so that the backs of that object's triangles are ways out.
+  bool blocked(const RayPart&, const SeenSurface& except, bool from_below = false) const;
 
   // How far from its beginning a ray has to have come before a surface that it meets is another one than that on which it
   // begins, whose place is known to a few roundings of the largest coordinate. World units; `place` in the world.

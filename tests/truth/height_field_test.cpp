@@ -142,6 +142,30 @@ TEST(HeightField, ATrenchHidesLowLights) {
   EXPECT_GT(hidden, 100);
 }
 
+// A shallow valley, all of it sunk by the same depth: from beside its fold a low light is seen over the other side, whose triangles
+// are left from behind on the way.
+TEST(HeightField, TheBackOfANeighbourIsAWayOut) {
+  Scene scene = sunken_plane(height_texture({4, 4}, [](int, int) { return 0.0; }), 0.25, 1);
+  const double steep = 0.27;
+  Mesh valley{"valley", {}, {0, 2, 1, 1, 2, 3, 2, 4, 3, 3, 4, 5}};
+  for (const float x : {-1.0f, 0.0f, 1.0f})
+    for (const float z : {1.0f, -1.0f})
+      valley.vertices.push_back({.position = {x, steep * std::abs(double(x)), z}, .normal = {0, 1, 0}, .uv = {x, z}});
+  scene.meshes = {valley};
+  scene.bounds = bounds_of(scene);
+  Settings s = sunken_settings(1);
+  s.shadows = Shadows::all;
+  const LightSight sight(s, scene, std::make_shared<HeightFields>(s, scene));
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(steep, 1, 0)), on_left(-0.02, 0.02 * steep, 0.1);
+  TruthLight sun;
+  sun.light.kind = LightKind::directional;
+  sun.light.direction = -glm::normalize(glm::dvec3(0.9, 0.43, 0));
+  const auto sees = [&] { return sight.sees(sun, on_left - 0.25 * normal - s.camera.position, {1, 0}); };
+  EXPECT_TRUE(sees());
+  sun.light.direction = -glm::normalize(glm::dvec3(-0.9, 0.2, 0));
+  EXPECT_FALSE(sees()) << "behind its own plane";
+}
+
 TEST(HeightField, BacksAndSurfacesWithoutAMapStayFlat) {
   const Scene scene = sunken_plane(height_texture({4, 4}, [](int, int) { return 0.0; }), 0.25, 1);
   Settings s = sunken_settings(1);
