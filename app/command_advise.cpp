@@ -54,6 +54,14 @@ Json json_of(const BoundCheck& b) {
           {"worst_pixel", {b.worst_pixel.x, b.worst_pixel.y}}};
 }
 
+Json json_of(const std::vector<Tried>& all) {
+  Json out = Json::array();
+  for (const Tried& t : all)
+    out.push_back(
+        {{"what", in_words(t.values)}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}});
+  return out;
+}
+
 Json json_of(const std::optional<AdvisedSetup>& s) {
   if (!s) return nullptr;
   return {{"setup", in_words(setup_values(s->settings))},
@@ -61,20 +69,13 @@ Json json_of(const std::optional<AdvisedSetup>& s) {
           {"bytes_per_pixel", s->bytes_per_pixel},
           {"camera", s->proof.camera},
           {"worst", json_of(s->proof.worst)},
+          {"together", s->together ? json_of(std::vector{*s->together})[0] : Json(nullptr)},
           {"settings", to_json(s->settings)}};
 }
 
 Json json_of(const std::vector<AdvisedSetup>& all) {
   Json out = Json::array();
   for (const AdvisedSetup& s : all) out.push_back(json_of(std::optional(s)));
-  return out;
-}
-
-Json json_of(const std::vector<Tried>& all) {
-  Json out = Json::array();
-  for (const Tried& t : all)
-    out.push_back(
-        {{"what", in_words(t.values)}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}});
   return out;
 }
 
@@ -102,11 +103,12 @@ void print_text(const Advice& advice, AdviceCost cost) {
         advice.measured.size());
   print_setup(advice.stopped ? "stopped; cheapest so far" : "cheapest", advice.best, cost);
   print_setup("runner-up", advice.runner_up, cost);
-  if (advice.together)
+  if (advice.best && advice.best->together)
     fmt::print(
         "  with shadows, mirrors and height maps: {:.3g} % of the pixels over from camera {}, the worst by {:.2f} "
         "codes\n",
-        100 * advice.together->worst.share_over(), advice.together->camera, 255 * advice.together->worst.worst);
+        100 * advice.best->together->worst.share_over(), advice.best->together->camera,
+        255 * advice.best->together->worst.worst);
   for (const AdvisedSetup& m : advice.measured)
     fmt::print("measured: {:8.4g} {}  {:3} B/px  {}\n", m.cost, row(cost).unit, m.bytes_per_pixel,
                in_words(setup_values(m.settings)));
@@ -152,7 +154,6 @@ ExitCode run_advise(const Arguments& a) {
                             {"rejected", json_of(advice.rejected)},
                             {"measured", json_of(advice.measured)},
                             {"sights", json_of(advice.sights)},
-                            {"together", advice.together ? json_of(std::vector{*advice.together})[0] : Json(nullptr)},
                             {"left_out", advice.left_out},
                             {"stopped", advice.stopped},
                             {"cost_unit", row(cost).unit}}

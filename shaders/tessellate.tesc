@@ -17,10 +17,11 @@ out vec4 patch_colour[];
 
 uniform float level;
 uniform mat4 relative_from_object;
+uniform float picture_height;  // of an orthographic camera, world units; 0: a perspective one
 
 float level_of(vec3 a, vec3 b, vec3 seen_at) {
 #if BY_DISTANCE
-  float away = length((relative_from_object * vec4(seen_at, 1.0)).xyz);
+  float away = picture_height > 0.0 ? picture_height : length((relative_from_object * vec4(seen_at, 1.0)).xyz);
   float wide = length(mat3(relative_from_object) * (a - b));
   return clamp(ceil(level * wide / max(away, 1e-6)), 1.0, level);
 #else

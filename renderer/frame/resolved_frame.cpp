@@ -99,20 +99,29 @@ void take_mirrors(ResolvedFrame& f, const Scene& scene) {
 // Each has a mesh of its own: how finely it is cut depends on where it stands.
 void take_tessellated(ResolvedFrame& f, const Scene& scene) {
   const Settings& s = f.settings;
+  const int asked_level = s.tessellation.level;
   if (s.height_map == HeightMap::off) return;
   std::vector<int> uses(scene.meshes.size());
   for (const Instance& i : scene.instances) ++uses[static_cast<size_t>(i.mesh)];
   int shared = 0, deep = 0;
+  long long patches = 0;
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const Instance& in = scene.instances[i];
     if (!has_heights(scene.materials[static_cast<size_t>(in.material)])) continue;
     ++deep;
     if (s.tessellation.mode == TessellationMode::off) continue;
-    if (uses[static_cast<size_t>(in.mesh)] == 1)
-      f.tessellated.push_back(static_cast<int>(i));
-    else
+    if (uses[static_cast<size_t>(in.mesh)] != 1) {
       ++shared;
+      continue;
+    }
+    f.tessellated.push_back(static_cast<int>(i));
+    patches += static_cast<long long>(scene.meshes[static_cast<size_t>(in.mesh)].indices.size() / 3);
   }
+  int& level = f.settings.tessellation.level;
+  while (level > 1 && patches * tessellated_triangles(level) > kMostTessellated) --level;
+  if (level < asked_level)
+    f.choices.push_back(fmt::format("tessellation.level={} instead of {}: {} triangles would become more than {}",
+                                    level, asked_level, patches, kMostTessellated));
   if (deep == 0) f.choices.emplace_back("all surfaces stay flat: no material of the scene has a height map");
   if (shared > 0)
     f.choices.push_back(fmt::format("{} objects are not tessellated: they share their meshes with others", shared));

@@ -49,6 +49,11 @@ struct ResolvedFrame {
   bool mistaken(Mistake m) const { return settings.mistakes.count(m) > 0; }
 };
 
+// Into how many a triangle is cut at most, if each of its edges is cut into so many pieces: rings of n, n - 2, ... pieces, a triangle
+// for each piece on both sides (OpenGL 4.6, section 11.2.2.1).
+inline long long tessellated_triangles(int level) { return (3LL * level * level + 1) / 2; }
+inline constexpr long long kMostTessellated = 1'000'000;  // of a frame: 216 bytes each
+
 // What the sums of light are stored times.
 double light_sum_scale(double exposure);
 

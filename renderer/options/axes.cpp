@@ -24,7 +24,7 @@ constexpr ValueRow kNormalMap[] = {
 };
 constexpr ValueRow kHeightMap[] = {
   {.value = at(HeightMap::off), .id = "off", .label = "off", .help = "surfaces are as flat as their triangles"},
-  {.value = at(HeightMap::on), .id = "on", .label = "on", .help = "surfaces with a height map lie below their triangles as it says; what hides what is told by the triangles"},
+  {.value = at(HeightMap::on), .id = "on", .label = "on", .help = "surfaces with a height map lie below their triangles as it says; the flat triangles decide which surface hides which"},
 };
 constexpr ValueRow kParallaxMethod[] = {
   {.value = at(ParallaxMethod::none), .id = "none", .label = "none", .help = "surfaces stay flat"},
@@ -39,8 +39,8 @@ constexpr ValueRow kParallaxDepth[] = {
 };
 constexpr ValueRow kTessellationMode[] = {
   {.value = at(TessellationMode::off), .id = "off", .label = "off", .help = "height maps are looked into (parallax.method): the mesh is as it is"},
-  {.value = at(TessellationMode::uniform), .id = "uniform", .label = "uniform", .help = "every triangle of a mesh with a height map is cut into level x level, and their corners moved by it: outlines and shadows follow", .cost = "level x level triangles for one", .needs = Feature::tessellation},
-  {.value = at(TessellationMode::by_distance), .id = "by-distance", .label = "by distance", .help = "as many along each edge as its length over its distance asks for: near ones fine, far ones coarse", .cost = "level x level triangles for one at most", .source = "Cantlay 2011, DirectX 11 Terrain Tessellation", .needs = Feature::tessellation},
+  {.value = at(TessellationMode::uniform), .id = "uniform", .label = "uniform", .help = "every edge of a mesh with a height map is cut into as many pieces as the level says, and their corners are moved by it: outlines and shadows follow", .cost = "1.5 x level x level triangles for one", .needs = Feature::tessellation},
+  {.value = at(TessellationMode::by_distance), .id = "by-distance", .label = "by distance", .help = "as many along each edge as its length over its distance asks for: near ones fine, far ones coarse", .cost = "1.5 x level x level triangles for one at most", .source = "Cantlay 2011, DirectX 11 Terrain Tessellation", .needs = Feature::tessellation},
 };
 constexpr ValueRow kAlbedoSource[] = {
   {.value = at(AlbedoSource::textured), .id = "textured", .label = "textured", .help = "the material's own colour"},

@@ -79,6 +79,7 @@ TruthMaker::TruthMaker(const Settings& s, int threads) : settings_(witness_of(s)
 
 TruthMaker::~TruthMaker() {
   cancel_ = true;
+  if (uvs_moved_.valid()) uvs_moved_.wait();
   if (work_.valid()) work_.wait();
 }
 
@@ -122,7 +123,7 @@ bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const 
   if (asked_below_ || settings_.height_map == HeightMap::off) return true;
   if (!uvs_moved_.valid())
     uvs_moved_ = std::async(std::launch::async, [this, texels] {
-      return uvs_moved(HeightFields(settings_, *scene_), settings_, texels, threads_);
+      return uvs_moved(HeightFields(settings_, *scene_), settings_, texels, threads_, &cancel_);
     });
   if (!wait && uvs_moved_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   const std::vector<glm::vec4> moved = uvs_moved_.get();
@@ -138,6 +139,10 @@ bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const 
 // Does the CPU work already?
 bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
   if (work_.valid()) return true;
+  const auto under_way = [&] {
+    return uvs_moved_.valid() && uvs_moved_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+  };
+  if (!wait && under_way()) return false;
   std::optional<std::vector<SeenTexel>> texels = take_texels(wait);
   if (texels && !scene_) scene_ = targets_.tessellation.drawn(scene);  // it has been drawn, so that nobody waits
   if (texels && !sampled_below(renderer, scene, *texels, wait)) texels = wait ? take_texels(wait) : std::nullopt;

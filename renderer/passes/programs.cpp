@@ -179,6 +179,7 @@ void ProgramCache::reload() {
   std::map<Variant, Kept> fresh;
   for (const auto& [variant, old] : programs_) fresh.emplace(variant, Kept{compile(variant), old.used});
   programs_ = std::move(fresh);
+  ++reloads_;
 }
 
 }  // namespace gbl

@@ -41,6 +41,7 @@ class ProgramCache {
 
   // Compile everything anew from the shader files. On an error all old programs stay and the Error is thrown.
   void reload();
+  int reloads() const { return reloads_; }  // how often; what they drew before may be other than what they draw now
   size_t size() const { return programs_.size(); }
 
  private:
@@ -60,6 +61,7 @@ class ProgramCache {
   };
   std::map<Variant, Kept> programs_;
   uint64_t uses_ = 0;
+  int reloads_ = 0;
 };
 
 }  // namespace gbl

@@ -61,8 +61,8 @@ Settings maps_settings(Settings s) {
 std::vector<ShadowMap> maps_to_draw(const Frame& frame, const ShadowTargets& t) {
   const ShadowPlan& plan = frame.resolved.shadows;
   const bool all = frame.settings.shadow.update == ShadowUpdate::each_frame ||
-                   t.tessellation != frame.tessellation().made() || t.scene.lock() != frame.scene.shared_scene() ||
-                   t.drawn_as != maps_settings(frame.settings);
+                   t.tessellation != frame.tessellation().made() || t.reloads != frame.programs.reloads() ||
+                   t.scene.lock() != frame.scene.shared_scene() || t.drawn_as != maps_settings(frame.settings);
   std::vector<ShadowMap> out;
   for (size_t k = 0; k < plan.maps.size(); ++k) {
     const ShadowMap& m = plan.maps[k];
@@ -116,7 +116,7 @@ int draw_shadow_maps(Frame& frame) {
   for (const ShadowMap& m : maps) calls += draw_map(frame, m, casters, defines);
   glDisable(GL_SCISSOR_TEST);
   t.scene = frame.scene.shared_scene(), t.drawn_as = maps_settings(frame.settings), t.held = plan.maps;
-  t.tessellation = frame.tessellation().made();
+  t.tessellation = frame.tessellation().made(), t.reloads = frame.programs.reloads();
   return calls;
 }
 

@@ -49,6 +49,7 @@ struct ShadowTargets {
   Settings drawn_as;  // less what maps do not depend on
   std::vector<ShadowMap> held;
   int tessellation = 0;  // Tessellation::made() then
+  int reloads = 0;       // ProgramCache::reloads() then
 };
 
 struct Targets;

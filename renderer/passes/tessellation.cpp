@@ -14,14 +14,20 @@ static_assert(sizeof(Vertex) == 18 * sizeof(float),
 // What the triangles depend on.
 Settings key_of(const Settings& s) {
   Settings key;
-  key.tessellation = s.tessellation, key.mistakes = s.mistakes;
-  if (s.tessellation.mode == TessellationMode::by_distance) key.camera = s.camera;
+  key.tessellation = s.tessellation;
+  if (s.mistakes.count(Mistake::tessellation_unequal_edges) > 0) key.mistakes = {Mistake::tessellation_unequal_edges};
+  if (s.tessellation.mode != TessellationMode::by_distance) return key;
+  key.camera.position = s.camera.position, key.camera.orthographic_height = s.camera.orthographic_height;
   return key;
 }
 
-// A triangle whose edges are cut into n pieces becomes n x n triangles at most.
 size_t most_corners(const Mesh& mesh, int level) {
-  return mesh.indices.size() * static_cast<size_t>(level) * static_cast<size_t>(level);
+  return mesh.indices.size() * static_cast<size_t>(tessellated_triangles(level));
+}
+
+// Mesa's llvmpipe (22.3) loses what one draw makes beyond 65535 corners.
+GLsizei patches_at_once(int level) {
+  return static_cast<GLsizei>(std::max(1LL, 65535 / (3 * tessellated_triangles(level))));
 }
 
 }  // namespace
@@ -53,6 +59,7 @@ Tessellation::Object Tessellation::capture(ProgramCache& programs, const Resolve
   gl::bind_texture("height_map", gpu.data_texture(m.height_texture.texture));
   glUniform1f(program.uniform("level"), static_cast<float>(s.tessellation.level));
   glUniform1f(program.uniform("height_depth"), m.height_depth);
+  glUniform1f(program.find_uniform("picture_height"), static_cast<float>(s.camera.orthographic_height));
   glUniformMatrix4fv(program.find_uniform("relative_from_object"), 1, GL_FALSE, glm::value_ptr(relative_from_object));
   glUniformMatrix3fv(program.uniform("normals"), 1, GL_FALSE, glm::value_ptr(normals));
   glUniformMatrix3fv(program.uniform("object_from_world"), 1, GL_FALSE, glm::value_ptr(object_from_world));
@@ -65,7 +72,10 @@ Tessellation::Object Tessellation::capture(ProgramCache& programs, const Resolve
   glEnable(GL_RASTERIZER_DISCARD);
   glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, out.written.id());
   glBeginTransformFeedback(GL_TRIANGLES);
-  glDrawElements(GL_PATCHES, patches.index_count, GL_UNSIGNED_INT, nullptr);
+  const GLsizei at_once = patches_at_once(s.tessellation.level);
+  for (GLsizei first = 0; first < patches.index_count; first += 3 * at_once)
+    glDrawElements(GL_PATCHES, std::min(3 * at_once, patches.index_count - first), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(sizeof(uint32_t) * static_cast<size_t>(first)));
   glEndTransformFeedback();
   glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
   glDisable(GL_RASTERIZER_DISCARD);
@@ -81,16 +91,18 @@ int Tessellation::update(ProgramCache& programs, const ResolvedFrame& f, const G
     return 0;
   }
   Settings key = key_of(f.settings);
-  const bool same = !objects_.empty() && scene_.lock() == gpu.shared_scene() && settings_ == key;
+  const bool same =
+      !objects_.empty() && scene_.lock() == gpu.shared_scene() && settings_ == key && reloads_ == programs.reloads();
   if (same) return 0;
-  objects_.clear();
   if (!framebuffer_) {
     pixel_ = gl::make_texture({.size = {1, 1}, .format = Format::rgba8, .label = "tessellation"});
     framebuffer_ = gl::make_framebuffer({.colours = {&pixel_}, .label = "tessellation"});
   }
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  for (const int i : f.tessellated) objects_.push_back(capture(programs, f, gpu, i));
-  scene_ = gpu.shared_scene(), settings_ = std::move(key);
+  objects_.clear();  // before others are made: both would not always find room
+  std::vector<Object> made;
+  for (const int i : f.tessellated) made.push_back(capture(programs, f, gpu, i));
+  objects_ = std::move(made), scene_ = gpu.shared_scene(), settings_ = std::move(key), reloads_ = programs.reloads();
   ++made_;
   return static_cast<int>(objects_.size());
 }

@@ -43,6 +43,7 @@ class Tessellation {
   // What they were made for:
   std::weak_ptr<const Scene> scene_;
   Settings settings_;
+  int reloads_ = 0;  // of the programs
   int made_ = 0;
 };
 

@@ -134,7 +134,7 @@ Texture height_map(std::string name, const ScalarMap& height) {
   Texture texture{std::move(name), glm::ivec2(height.size), {}, {}, {.min = Filter::linear}};
   const double range = std::max(*high - *low, 1e-9);
   for (const double h : height.texels) {
-    const auto code = static_cast<uint16_t>((h - *low) / range * 65535 + 0.5);
+    const auto code = static_cast<uint16_t>(std::lround((h - *low) / range * 65535));
     texture.rgba16.insert(texture.rgba16.end(), {code, code, code, 65535});
   }
   return texture;

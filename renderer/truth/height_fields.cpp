@@ -12,6 +12,7 @@ namespace {
 
 // A line that is nearly along the plane would cross more patches than this; it is left where it is.
 constexpr double kMostPatches = 1e6;
+constexpr double kFarthestTexel = 1e9;  // beyond it a texel's number is none of an int
 
 // f(s) = a s^2 + b s + c through three places of a patch.
 struct Parabola {
@@ -25,7 +26,7 @@ struct Parabola {
     if (discriminant < 0) return std::nullopt;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
     std::optional<double> first;
-    for (const double s : {a != 0 ? q / a : INFINITY, q != 0 ? c / q : 0.0})
+    for (const double s : {a != 0 ? q / a : INFINITY, q != 0 ? c / q : INFINITY})
       if (s >= after && s <= 1 && (!first || s < *first)) first = s;
     return first;
   }
@@ -117,7 +118,8 @@ Sunk HeightFields::sunk(const Ray& ray, const SeenSurface& surface) const {
   const glm::dvec3 way = map->depth / cosine * ray.direction;
   const glm::dvec2 texels(map->size), from = (p.uv + p.uv_by(met - p.corner)) * texels - 0.5,
                                       along = p.uv_by(way) * texels;
-  if (!(std::abs(along.x) + std::abs(along.y) < kMostPatches) || !(std::abs(from.x) + std::abs(from.y) < 1e12))
+  if (!(std::abs(along.x) + std::abs(along.y) < kMostPatches) ||
+      !(std::abs(from.x) + std::abs(from.y) < kFarthestTexel))
     return {};
   double share = 1;
   over_patches(from, along, [&](double t0, double t1) {
@@ -130,19 +132,22 @@ Sunk HeightFields::sunk(const Ray& ray, const SeenSurface& surface) const {
   return {share * way, share * along / texels};
 }
 
-std::optional<glm::dvec3> HeightFields::way_out(const glm::dvec3& place, const glm::dvec3& to_light,
-                                                const SeenSurface& surface) const {
+std::optional<HeightFields::Way> HeightFields::way_out(const glm::dvec3& place, const glm::dvec3& to_light,
+                                                       const SeenSurface& surface) const {
   const Map* map = map_of(surface);
-  if (!map) return place;
+  if (!map) return Way{place, false};
   const Plane p = plane_of(surface);
+  const double deep = glm::dot(p.normal, p.corner - place) / map->depth;  // share of the depth
+  constexpr double kOnThePlane = 1e-9;
+  if (!(deep > kOnThePlane)) return Way{place, false};  // as flat as its triangle: there, or where its back is seen
   const double cosine = glm::dot(p.normal, to_light);
   if (!(cosine > 0)) return std::nullopt;
-  const double deep = glm::dot(p.normal, p.corner - place) / map->depth;  // share of the depth
-  if (!(deep > 0)) return place;
   const glm::dvec3 way = deep * map->depth / cosine * to_light;
   const glm::dvec2 texels(map->size), from = (p.uv + p.uv_by(place - p.corner)) * texels - 0.5,
                                       along = p.uv_by(way) * texels;
-  if (!(std::abs(along.x) + std::abs(along.y) < kMostPatches)) return std::nullopt;
+  if (!(std::abs(along.x) + std::abs(along.y) < kMostPatches) ||
+      !(std::abs(from.x) + std::abs(from.y) < kFarthestTexel))
+    return std::nullopt;
   bool first = true;
   const bool hidden = over_patches(from, along, [&](double t0, double t1) {
     const auto below = [&](double t) { return deep * (1 - t) - map->at(from + t * along); };
@@ -154,14 +159,14 @@ std::optional<glm::dvec3> HeightFields::way_out(const glm::dvec3& place, const g
     return f.a * crest * crest + f.b * crest + f.c > kRounding;
   });
   if (hidden) return std::nullopt;
-  return place + way;
+  return Way{place + way, true};
 }
 
 std::vector<glm::vec4> uvs_moved(const HeightFields& fields, const Settings& s, const std::vector<SeenTexel>& texels,
-                                 int threads) {
+                                 int threads, const std::atomic<bool>* cancel) {
   std::vector<glm::vec4> out(texels.size(), glm::vec4(0));
   const auto work = [&](int first) {
-    for (int y = first; y < s.size.y; y += threads)
+    for (int y = first; y < s.size.y && !(cancel && *cancel); y += threads)
       for (int x = 0; x < s.size.x; ++x) {
         const size_t i = static_cast<size_t>(y) * static_cast<size_t>(s.size.x) + static_cast<size_t>(x);
         if (texels[i].instance() < 0) continue;

@@ -2,6 +2,7 @@
 // Height maps in double: where a line of sight ends below a triangle, and whether light finds the way out again. Over each
 // triangle the map spans a field of bilinear patches between its texels' centres, in the triangle's plane, which goes on
 // beyond its edges. A line crosses a patch as a parabola, so that the first crossing is found in closed form, patch by patch.
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -23,10 +24,13 @@ class HeightFields {
   bool any() const { return !maps_.empty(); }
   // A line of sight, relative to the camera, to a triangle with a height map. Nothing where its back is seen, or along it.
   Sunk sunk(const Ray&, const SeenSurface&) const;
-  // From such a place towards a light: where it leaves the triangle's plane. Empty: the surface itself is in the way.
-  // place: relative to the camera.
-  std::optional<glm::dvec3> way_out(const glm::dvec3& place, const glm::dvec3& to_light, const SeenSurface&) const;
-  bool sinks(const SeenSurface& s) const { return map_of(s) != nullptr; }
+  // From such a place towards a light: where it leaves the triangle's plane, and whether it came from below it. Empty: the
+  // surface itself is in the way. Places relative to the camera.
+  struct Way {
+    glm::dvec3 out{0};
+    bool from_below = false;
+  };
+  std::optional<Way> way_out(const glm::dvec3& place, const glm::dvec3& to_light, const SeenSurface&) const;
 
  private:
   struct Map {
@@ -53,7 +57,9 @@ class HeightFields {
   std::vector<std::optional<Map>> maps_;  // of each material; empty: no surface is sunk
 };
 
-// Of every texel that is seen: how far texture coordinates move (xy), for the pass that samples textures there.
-std::vector<glm::vec4> uvs_moved(const HeightFields&, const Settings&, const std::vector<SeenTexel>&, int threads);
+// Of every texel that is seen: how far texture coordinates move (xy), for the pass that samples textures there. When cancelled
+// the rest is 0.
+std::vector<glm::vec4> uvs_moved(const HeightFields&, const Settings&, const std::vector<SeenTexel>&, int threads,
+                                 const std::atomic<bool>* cancel = nullptr);
 
 }  // namespace gbl

@@ -11,12 +11,11 @@ bool LightSight::sees(const TruthLight& l, const glm::dvec3& position, const See
   const bool sun = l.light.kind == LightKind::directional;
   if (!rays_ || (suns_only_ && !sun)) return true;
   const auto towards = [&](const glm::dvec3& from) { return sun ? -l.light.direction : l.position - from; };
-  const std::optional<glm::dvec3> out = heights_->way_out(position, towards(position), surface);
-  if (!out) return false;
-  const glm::dvec3 place = *out + camera_, to_light = towards(*out);
+  const std::optional<HeightFields::Way> way = heights_->way_out(position, towards(position), surface);
+  if (!way) return false;
+  const glm::dvec3 place = way->out + camera_, to_light = towards(way->out);
   const double least = rays_->least_distance(place) / glm::length(to_light);
-  const bool from_below = heights_->sinks(surface);  // where its plane ends, it is its neighbour's back that is left
-  return !rays_->blocked({place, to_light, least, sun ? kEndless : 1 - least}, surface, from_below);
+  return !rays_->blocked({place, to_light, least, sun ? kEndless : 1 - least}, surface, way->from_below);
 }
 
 }  // namespace gbl

@@ -42,7 +42,7 @@ constexpr ErrorColumn kColumns[] = {
     {"shadow_lit_pixels", "", "pixels that are lit although something hides the light: too bright by a quarter of what would arrive", &Errors::shadow_lit_pixels},
     {"shadow_dark_pixels", "", "pixels that are dark although nothing hides the light: too dark by a quarter of what would arrive", &Errors::shadow_dark_pixels},
     {"shadow_wrong_pixels", "", "the sum of both", &Errors::shadow_wrong_pixels},
-    {"shadow_edge_pixels", "pixels", "how far shadows' edges are off on average: wrong pixels over the pixels along true edges", &Errors::shadow_edge_pixels},
+    {"shadow_edge_pixels", "pixels", "wrong pixels for each pixel along the edges of true shadows: where nothing else is wrong, how far edges are off", &Errors::shadow_edge_pixels},
     {"background_lit_pixels", "", "pixels without a surface that are lit", &Errors::background_lit_pixels},
     {"background_off_pixels", "", "pixels without a surface that are brighter or darker than the background", &Errors::background_off_pixels},
     {"tie_pixels", "", "pixels at an edge, within 1/16 pixel, where frame and reference see different surfaces", &Errors::tie_pixels, ErrorKind::basis},
@@ -204,8 +204,7 @@ void count_wrong_shadows(Errors& e, const Truth& truth, const Drawn& drawn) {
   }
   e.shadow_lit_pixels = static_cast<double>(lit), e.shadow_dark_pixels = static_cast<double>(dark);
   e.shadow_wrong_pixels = static_cast<double>(lit + dark);
-  if (const size_t edges = count_shadow_edges(truth); edges > 0)
-    e.shadow_edge_pixels = *e.shadow_wrong_pixels / static_cast<double>(edges);
+  e.shadow_edge_pixels = *e.shadow_wrong_pixels / static_cast<double>(std::max<size_t>(count_shadow_edges(truth), 1));
 }
 
 // ---- attributes -----------------------------------------------------------------------------------------------------

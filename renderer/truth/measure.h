@@ -30,7 +30,7 @@ struct Errors {
   std::optional<double> nonfinite_pixels, lost_pixels, doubled_pixels, background_lit_pixels, background_off_pixels;
   // Wrong by a shadow, and their sum: none where no light has one.
   std::optional<double> shadow_lit_pixels, shadow_dark_pixels, shadow_wrong_pixels;
-  std::optional<double> shadow_edge_pixels;  // how far shadows' edges are off, on average
+  std::optional<double> shadow_edge_pixels;  // wrong ones for each along a true shadow's edge
   std::optional<double> blended_pixels;      // drawn forward after the lighting: not judged
   std::optional<double> tie_pixels;          // frame and reference see different surfaces at an edge (ties.h)
   std::optional<double> compared_pixels;     // with a surface

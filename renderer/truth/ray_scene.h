@@ -25,7 +25,7 @@ class RayScene {
   std::optional<SurfaceHit> first_hit(const RayPart&) const;
 
   // Is anything in the way? `except`: the surface on which the ray begins, which cannot hide itself. from_below: it begins
-  // below its object's surface, so that the backs of that object's triangles are ways out.
+  // below its object's surface, so that the backs of that object's triangles are ways out: where its plane ends, a neighbour's back is left.
   bool blocked(const RayPart&, const SeenSurface& except, bool from_below = false) const;
 
   // How far from its beginning a ray has to have come before a surface that it meets is another one than that on which it

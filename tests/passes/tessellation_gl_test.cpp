@@ -108,7 +108,9 @@ TEST_F(TessellationGl, CornersLieOnTheHeightField) {
     s.tessellation.level = level;
     const std::shared_ptr<const Scene> scene = drawn(s, gpu, targets);
     const Mesh& mesh = mesh_named(*scene, "brick wall");
-    EXPECT_GT(mesh.indices.size(), 3u * 48 * static_cast<size_t>(level) * static_cast<size_t>(level) / 2);
+    EXPECT_EQ(mesh.indices.size(), 3u * 48 * static_cast<size_t>(tessellated_triangles(level))) << "none is left out";
+    EXPECT_NEAR(bounds_of(mesh).max.x, 4, 1e-4);
+    EXPECT_NEAR(bounds_of(mesh).max.y, 3.2, 1e-4);
     double corners = 0, middles = 0;
     for (size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
       glm::dvec3 middle(0);

@@ -157,7 +157,7 @@ bool is_applied(const FrameContext& f, const AdvisedSetup& a) {
 float setup_height(const FrameContext& f, const AdvisedSetup& a, float width) {
   const float inset = std::round(f.type.small * 0.6f), room = width - 2 * inset;
   return 2 * inset + line_height(f.type.body) + 2 + text_size(setup_words(a.settings), f.type.body, room).y +
-         text_size(proof_words(a.proof), f.type.small, room).y + f.type.small;
+         text_size(proof_words(a.together.value_or(a.proof)), f.type.small, room).y + f.type.small;
 }
 
 void draw_setup(FrameContext& f, Painter& p, const Box& box, const char* title, const char* key,
@@ -172,10 +172,10 @@ void draw_setup(FrameContext& f, Painter& p, const Box& box, const char* title, 
   const float right = text_size(how, f.type.small).x, line = line_height(f.type.body);
   p.text_in({room.min, {room.max.x - right - f.type.body, room.min.y + line}}, f.type.body, theme().accent, head);
   p.text({room.max.x - right, room.min.y + 1}, f.type.small, applied ? theme().text : theme().dim, how);
-  draw_paragraphs(
-      p, {{room.min.x, room.min.y + line + 2}, room.max},
-      {{setup_words(a.settings), theme().text, f.type.body}, {proof_words(a.proof), theme().dim, f.type.small}},
-      f.type.small * 0.3f);
+  draw_paragraphs(p, {{room.min.x, room.min.y + line + 2}, room.max},
+                  {{setup_words(a.settings), theme().text, f.type.body},
+                   {proof_words(a.together.value_or(a.proof)), theme().dim, f.type.small}},
+                  f.type.small * 0.3f);
 }
 
 // Whole sentences from the first chosen one on, as many as there is room for.

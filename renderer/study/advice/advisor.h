@@ -61,8 +61,9 @@ struct SightChoice {
 struct AdvisedSetup {
   Settings settings;
   double cost = 0;
-  int bytes_per_pixel = 0;  // G-buffer and light together
-  Tried proof;              // the worst camera's check
+  int bytes_per_pixel = 0;             // G-buffer and light together
+  Tried proof;                         // the worst camera's check, with light that nothing hides
+  std::optional<Tried> together = {};  // with shadows, mirrors and height maps. It need not hold: see sight_advice.h
 };
 
 struct Advice {
@@ -71,7 +72,6 @@ struct Advice {
   std::vector<Tried> rejected;                  // whole set-ups cheaper than the best that failed together
   std::vector<AdvisedSetup> measured;           // by time: all that the best is the fastest of
   std::vector<SightChoice> sights;              // shadow maps, mirrors, height maps: what the best has of them
-  std::optional<Tried> together;                // with these: the best as a whole. It need not hold: see sight_advice.h
   std::vector<std::string> left_out;            // what the best leaves out and why, a sentence each
   bool stopped = false;  // before the answer: `best` is the cheapest so far that holds, if there is one
 };

@@ -44,7 +44,9 @@ std::vector<SightAxis> sight_axes(const Settings& truth, int lights) {
     const int most = std::min(lights, kMostShadows);
     const Assignment on{"shadows", row(truth.shadows).id};
     out.push_back({{on, {"shadow.max-lights", most}}, each<ShadowMapSize>("shadow.map-size"), "shadow maps"});
-    out.push_back({{on}, light_counts(most), "lights with shadows"});
+    out.push_back({{on},
+                   light_counts(most),
+                   lights > most ? "lights with shadows (16 at most are tried)" : "lights with shadows"});
   }
   if (truth.reflections != Reflections::off) out.push_back({{{"reflections", "on"}}, mirrors(), "mirrors"});
   if (truth.height_map != HeightMap::off) out.push_back({{{"height-map", "on"}}, parallaxes(), "height maps"});
@@ -62,7 +64,9 @@ SightChoice choose_sight(const SightAxis& axis, const Settings& lossless, const 
     Settings s = base;
     apply_values(s, value);
     if (!validate(s, limits).empty()) continue;
-    out.tried.push_back(judge(value, s));
+    std::optional<Tried> tried = judge(value, s);
+    if (!tried) continue;
+    out.tried.push_back(std::move(*tried));
     least = std::min(least, out.tried.back().worst.share_over());
   }
   const double bound = least <= budget.share_over ? budget.share_over : least + budget.share_over;

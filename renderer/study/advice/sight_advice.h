@@ -19,8 +19,8 @@ struct SightAxis {
 // Those that this truth has; `lights`: how many could have shadows.
 std::vector<SightAxis> sight_axes(const Settings& truth, int lights);
 
-// judge: of a set-up, the worst of all cameras. chosen: values that earlier axes took.
-using WorstFn = std::function<Tried(const std::vector<Assignment>& values, const Settings&)>;
+// judge: of a set-up, the worst of all cameras; empty: it is no answer. chosen: values that earlier axes took.
+using WorstFn = std::function<std::optional<Tried>(const std::vector<Assignment>& values, const Settings&)>;
 SightChoice choose_sight(const SightAxis&, const Settings& lossless, const std::vector<Assignment>& chosen,
                          const ErrorBudget&, const DeviceLimits&, const WorstFn& judge);
 
