@@ -93,6 +93,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("-o,--output", a.output, "folder of settings.json (default: out)");
   }
   if (command == "study") {
+    add_settings(app, a);
     app.add_option("spec", a.what, "a built-in study (list studies) or a spec's JSON file; default: tradeoff");
     app.add_option("-o,--output", a.output, "folder of rows.jsonl and the charts, made if need be (default: out/NAME)");
     app.add_option("--shard", a.shard, "i/n: every n-th case from the i-th, for several machines");

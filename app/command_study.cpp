@@ -1,6 +1,8 @@
 // `study`: a product of set-ups, each measured as a row; resumed, shared between machines, and drawn as a chart.
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <unistd.h>
 
 #include "app/bench.h"
@@ -45,6 +47,20 @@ void print_left_out(const StudyPlan& plan) {
   if (invalid > 5) fmt::print(stderr, "gbufferlab: and {} more cases that this device cannot draw\n", invalid - 5);
 }
 
+// The folder may hold rows of the same study of another scene: on one chart they would not belong together. Those of other machines
+// stay, although this one may not be able to draw them.
+std::vector<StudyRow> rows_of(const StudyPlan& plan, const std::vector<StudyRow>& all) {
+  std::vector<const Settings*> truths;
+  const auto known = [&](const Settings& s) {
+    return std::any_of(truths.begin(), truths.end(), [&](const Settings* t) { return same_truth(*t, s); });
+  };
+  for (const StudyCase& c : plan.cases)
+    if (!known(c.settings)) truths.push_back(&c.settings);
+  std::vector<StudyRow> out;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(out), [&](const StudyRow& r) { return known(r.settings); });
+  return out;
+}
+
 MeasuredColumns measured_columns(Lab& lab, Bench& bench, const Settings& s) {
   require_valid(s, lab.limits());
   lab.open(s.scene);
@@ -56,7 +72,8 @@ MeasuredColumns measured_columns(Lab& lab, Bench& bench, const Settings& s) {
 }  // namespace
 
 ExitCode run_study_command(const Arguments& a) {
-  const StudySpec spec = load_study(a.what.empty() ? "tradeoff" : a.what);
+  const Given given = given_of(a);
+  const StudySpec spec = with_given(load_study(a.what.empty() ? "tradeoff" : a.what), given.state, given.explicitly);
   const Shard shard = a.shard ? parse_shard(*a.shard) : Shard{};
   const HeadlessContext context;
   Lab lab(without_of(a));
@@ -71,11 +88,12 @@ ExitCode run_study_command(const Arguments& a) {
   const StudyCounts counts = run_study(
       plan, shard, journal, [&](const StudyCase& c) { return measured_columns(lab, bench, c.settings); },
       print_progress, scope.interrupted());
-  write_study_files(folder, spec, journal.rows(), lab.machine());
+  const std::vector<StudyRow> rows = rows_of(plan, journal.rows());
+  write_study_files(folder, spec, rows, lab.machine());
   const std::string summary = fmt::format("{}: {} rows measured, {} found, {} failed, {} left", spec.name,
                                           counts.measured, counts.before, counts.failed, counts.left);
   if (a.json)
-    fmt::print("{}\n", study_json(spec, journal.rows(), lab.machine()).dump(2));
+    fmt::print("{}\n", study_json(spec, rows, lab.machine()).dump(2));
   else
     fmt::print("{}; study.csv, .json, .svg, .png in {}\n", summary, folder.string());
   if (scope.interrupted()) return ExitCode::interrupted;

@@ -10,6 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/features.h"
+#include "renderer/options/options.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 
@@ -60,6 +61,12 @@ struct Setup {
 };
 Setup setup_of(const Arguments&, const LoadProgress* = nullptr);
 FeatureSet without_of(const Arguments&);
+
+// The same for a study, which has settings of its own: path by path what the line gives, and apart what its state says.
+struct Given {
+  std::vector<Assignment> state, explicitly;
+};
+Given given_of(const Arguments&);
 
 struct Command {
   const char* name;

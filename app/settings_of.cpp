@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -83,6 +84,38 @@ Setup setup_of(const Arguments& a, const LoadProgress* progress) {
   for (const std::string& assignment : a.set) apply_assignment(s, assignment);
   if (s.scene != a.scene) setup.scene.reset();
   return setup;
+}
+
+Given given_of(const Arguments& a) {
+  Given given;
+  Settings s;
+  const auto give = [&](const char* path) { given.explicitly.push_back({path, option(path).get(s)}); };
+  if (a.state) {
+    const Settings state = read_state(*a.state);
+    for (const Option& o : options())
+      if (o.group != Group::view) given.state.push_back({o.path, o.get(state)});
+  }
+  if (a.preset) given.explicitly.push_back({"preset", *a.preset});
+  if (a.scene) given.explicitly.push_back({"scene", *a.scene});
+  if (a.camera) {
+    apply_camera(s, *a.camera);
+    for (const char* path : {"camera.position", "camera.orientation", "camera.orthographic-height"}) give(path);
+    if (std::count(a.camera->begin(), a.camera->end(), ':') == 2) give("camera.fov"), give("camera.aspect");
+  }
+  if (a.lights) given.explicitly.push_back({"lights", *a.lights});
+  if (a.rig) {
+    rig_lights(*a.rig);
+    apply_patch(s, {{"lights.rig", *a.rig}, {"lights.source", "rig"}}, "--rig");
+    give("lights.rig"), give("lights.source");
+  }
+  if (a.seed) s.lights.seed = *a.seed, give("lights.seed");
+  if (a.size) given.explicitly.push_back({"size", *a.size});
+  if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time"), give("time_s");
+  for (const std::string& assignment : a.set) {
+    apply_assignment(s, assignment);
+    give(assignment.substr(0, assignment.find('=')).c_str());
+  }
+  return given;
 }
 
 FeatureSet without_of(const Arguments& a) { return parse_features(a.without); }

@@ -146,6 +146,38 @@ StudySpec load_study(const std::string& name_or_file) {
               suggest(name_or_file, std::vector<std::string_view>(ids.begin(), ids.end())));
 }
 
+namespace {
+
+bool varies(const StudySpec& spec, std::string_view path) {
+  const auto is_it = [&](const PathValues& axis) { return axis.path == path; };
+  return std::any_of(spec.permute.begin(), spec.permute.end(), [&](const std::vector<PathValues>& product) {
+    return std::any_of(product.begin(), product.end(), is_it);
+  });
+}
+
+void put(StudySpec& spec, const Coordinate& c) {
+  if (c.path == "scene")  // its camera and its exposure are its own
+    std::erase_if(spec.base, [](const Coordinate& b) { return b.path.starts_with("camera.") || b.path == "exposure"; });
+  std::erase_if(spec.base, [&](const Coordinate& b) { return b.path == c.path; });
+  spec.base.push_back({c.path, checked_value(c.path, c.value)});
+}
+
+}  // namespace
+
+StudySpec with_given(StudySpec spec, const std::vector<Coordinate>& state, const std::vector<Coordinate>& explicitly) {
+  if (!state.empty()) std::erase_if(spec.base, [](const Coordinate& b) { return b.path == "preset"; });
+  const bool whole_ways = varies(spec, "preset");  // how to draw is then what varies
+  for (const Coordinate& c : state)
+    if (!varies(spec, c.path) && !(whole_ways && option(c.path).group == Group::method)) put(spec, c);
+  for (const Coordinate& c : explicitly) {
+    if (varies(spec, c.path))
+      throw Error(ExitCode::bad_input, c.path, fmt::format("is what the study '{}' varies", spec.name),
+                  "leave it out, or write a spec of your own without it");
+    put(spec, c);
+  }
+  return spec;
+}
+
 std::vector<BuiltinStudy> builtin_studies() {
   std::vector<BuiltinStudy> list;
   for (const std::string& id : data_file_ids(kFolder)) list.push_back({id, load_study(id).label});

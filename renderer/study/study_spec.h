@@ -33,6 +33,10 @@ StudySpec parse_study(std::string_view text, std::string_view where);
 // A built-in study by its name, or else a file.
 StudySpec load_study(const std::string& name_or_file);
 
+// The same study of something else: what is given stands in the place of the base's, and a scene brings its own camera.
+// Error(bad_input) where the study varies what is given by `explicitly`; what `state` says of it is passed over.
+StudySpec with_given(StudySpec, const std::vector<Coordinate>& state, const std::vector<Coordinate>& explicitly);
+
 struct BuiltinStudy {
   std::string id, label;
 };

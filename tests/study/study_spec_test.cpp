@@ -267,5 +267,54 @@ TEST(BuiltinStudies, TheTradeoffHasOneTruthAndEveryPreset) {
   EXPECT_EQ(expand(load_study("presets"), empty_scene, everything()).cases.size(), presets().size());
 }
 
+constexpr const char* kOwnSpec = R"({"version": 1, "name": "own",
+  "base": {"scene": "builtin:room", "camera.fov": 30, "exposure": 2, "lights": 16, "ambient": 0.1},
+  "permute": {"normal.encoding": ["oct8", "oct16"]}})";
+
+TEST(GivenToAStudy, StandsInThePlaceOfItsBase) {
+  const StudySpec spec = parse_study(kOwnSpec, "own.json");
+  const StudyPlan before = expand(spec, empty_scene, everything());
+  const StudyPlan after =
+      expand(with_given(spec, {}, {{"scene", "builtin:hall"}, {"ambient", 0.4}, {"size", "320x180"}, {"lights", 64}}),
+             empty_scene, everything());
+  ASSERT_EQ(after.cases.size(), before.cases.size());
+  for (size_t i = 0; i < after.cases.size(); ++i) {
+    const Settings& s = after.cases[i].settings;
+    EXPECT_EQ(after.cases[i].id, before.cases[i].id) << "what varies stays";
+    EXPECT_EQ(s.scene, "builtin:hall");
+    EXPECT_EQ(s.ambient, 0.4);
+    EXPECT_EQ(s.size, glm::ivec2(320, 180));
+    EXPECT_EQ(s.lights.count, 64);
+    EXPECT_NE(s.camera.fov, 30) << "a scene brings its own camera";
+    EXPECT_EQ(before.cases[i].settings.camera.fov, 30);
+  }
+  const StudyPlan aimed =
+      expand(with_given(spec, {}, {{"scene", "builtin:hall"}, {"camera.fov", 50}}), empty_scene, everything());
+  EXPECT_EQ(aimed.cases[0].settings.camera.fov, 50) << "unless one is given";
+}
+
+TEST(GivenToAStudy, IsRefusedWhereTheStudyVariesIt) {
+  const StudySpec spec = parse_study(kOwnSpec, "own.json");
+  try {
+    with_given(spec, {}, {{"normal.encoding", "xyz8"}});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ExitCode::bad_input);
+    EXPECT_NE(std::string(e.what()).find("is what the study 'own' varies"), std::string::npos) << e.what();
+  }
+  // A state says everything: what varies is passed over, the rest counts.
+  const StudyPlan plan =
+      expand(with_given(spec, {{"normal.encoding", "xyz8"}, {"ambient", 0.3}}, {}), empty_scene, everything());
+  ASSERT_EQ(plan.cases.size(), 2u);
+  EXPECT_EQ(plan.cases[0].settings.normal.encoding, NormalEncoding::oct8);
+  EXPECT_EQ(plan.cases[0].settings.ambient, 0.3);
+  // Where whole presets vary it has no say in how to draw.
+  const StudyPlan presets = expand(with_given(load_study("quick"), {{"ambient", 0.3}, {"normal.encoding", "oct8"}}, {}),
+                                   empty_scene, everything());
+  EXPECT_EQ(presets.cases.size(), expand(load_study("quick"), empty_scene, everything()).cases.size());
+  for (const StudyCase& c : presets.cases) EXPECT_EQ(c.settings.ambient, 0.3) << c.id;
+  EXPECT_THROW(with_given(spec, {}, {{"view.main", "depth"}}), Error) << "a study looks at nothing";
+}
+
 }  // namespace
 }  // namespace gbl
