@@ -107,6 +107,7 @@ class Renderer {
   std::optional<PixelProbe> take_probe(Targets&, bool wait);
 
   void reload_shaders() { programs_.reload(); }
+  int reloads() const { return programs_.reloads(); }
 
  private:
   // What these settings draw in front, once per frame drawn, bound for shaders/frame_surface.glsl.

@@ -66,8 +66,8 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
     wanted.back().time_s = 0;
   }
   // They depend neither on where the camera is nor on the time, but on where the lights are then.
-  if (wanted == t.held && t.tessellation == around.tessellation.made() && f.lights == t.lights &&
-      t.scene.lock() == scene.shared_scene())
+  if (wanted == t.held && t.tessellation == around.tessellation.made() && t.reloads == renderer.reloads() &&
+      f.lights == t.lights && t.scene.lock() == scene.shared_scene())
     return 0;
   t.held.clear();
   int calls = 0;
@@ -88,7 +88,8 @@ int draw_sides(Renderer& renderer, const Settings& s, const ResolvedFrame& f, co
       copy_lit(frame, t.sides.framebuffer, {side * texels, static_cast<int>(k) * texels});
     }
   }
-  t.held = wanted, t.lights = f.lights, t.tessellation = around.tessellation.made(), t.scene = scene.shared_scene();
+  t.held = wanted, t.lights = f.lights, t.tessellation = around.tessellation.made(), t.reloads = renderer.reloads(),
+  t.scene = scene.shared_scene();
   return calls;
 }
 

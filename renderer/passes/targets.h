@@ -73,6 +73,7 @@ struct MirrorTargets {
   std::vector<Settings> held;
   std::vector<Light> lights;  // a rig's file may have changed
   int tessellation = 0;       // Tessellation::made() then
+  int reloads = 0;            // ProgramCache::reloads() then
 };
 
 struct Targets {
