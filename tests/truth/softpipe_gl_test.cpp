@@ -47,6 +47,8 @@ double largest(const glm::dvec3& d) { return std::max({std::abs(d.x), std::abs(d
 TEST_P(Softpipe, TheReferenceHolds) {
   Settings s = preset(GetParam().id).make();
   s.size = {32, 18};
+  s.reflect.size = ReflectSize::s64;  // and small maps: of the usual size they would take this driver a minute
+  s.shadow.map_size = ShadowMapSize::s256;
   const GpuScene scene(open_scene(s.scene));
   if (!validate(s, {gl::device().features, gl::device().max_size, gl::device().max_draw_buffers}).empty())
     GTEST_SKIP() << "this driver cannot draw the preset";
