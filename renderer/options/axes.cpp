@@ -24,7 +24,7 @@ constexpr ValueRow kNormalMap[] = {
 };
 constexpr ValueRow kHeightMap[] = {
   {.value = at(HeightMap::off), .id = "off", .label = "off", .help = "surfaces are as flat as their triangles"},
-  {.value = at(HeightMap::on), .id = "on", .label = "on", .help = "surfaces with a height map lie below their triangles as it says; the flat triangles decide which surface hides which"},
+  {.value = at(HeightMap::on), .id = "on", .label = "on", .help = "surfaces with a height map lie below their triangles as it says; the flat triangles decide which surface hides which, so that what shows from inside that depth counts as error"},
 };
 constexpr ValueRow kParallaxMethod[] = {
   {.value = at(ParallaxMethod::none), .id = "none", .label = "none", .help = "surfaces stay flat"},

@@ -254,7 +254,7 @@ const Option kOptions[] = {
   {.path = "normal-map", .group = Group::truth, .label = "Normal maps", .help = "bend the shading normal by the material's map", CHOICE(NormalMap, normal_map)},
   {.path = "height-map", .group = Group::truth, .label = "Height maps", .help = "sink the surface below its triangles by the material's map", CHOICE(HeightMap, height_map)},
   {.path = "tessellation.mode", .group = Group::truth, .label = "Tessellation", .help = "whether height maps make triangles; the reference is then of these triangles", CHOICE(TessellationMode, tessellation.mode), .use = &kByHeightMaps},
-  {.path = "tessellation.level", .group = Group::truth, .label = "Tessellation level", .help = "triangles along an edge, at most", INTEGER(tessellation.level, 1, 64), .use = &kByTessellation},
+  {.path = "tessellation.level", .group = Group::truth, .label = "Tessellation level", .help = "pieces that an edge is cut into, at most", INTEGER(tessellation.level, 1, 64), .use = &kByTessellation},
   {.path = "albedo", .group = Group::truth, .label = "Albedo", .help = "the surface's own colour, or white", CHOICE(AlbedoSource, albedo)},
   {.path = "exposure", .group = Group::truth, .label = "Exposure", .help = "factor before the display transform; unlit surfaces are shown as they are", NUMBER(exposure, 1e-6, 1e6)},
   {.path = "colour", .group = Group::truth, .label = "Colour", .help = "how texels are read and the picture is shown", CHOICE(Colour, colour)},
