@@ -54,11 +54,13 @@ Json json_of(const BoundCheck& b) {
           {"worst_pixel", {b.worst_pixel.x, b.worst_pixel.y}}};
 }
 
+Json json_of(const Tried& t) {
+  return {{"what", in_words(t.values)}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}};
+}
+
 Json json_of(const std::vector<Tried>& all) {
   Json out = Json::array();
-  for (const Tried& t : all)
-    out.push_back(
-        {{"what", in_words(t.values)}, {"holds", t.holds}, {"camera", t.camera}, {"worst", json_of(t.worst)}});
+  for (const Tried& t : all) out.push_back(json_of(t));
   return out;
 }
 
@@ -69,7 +71,7 @@ Json json_of(const std::optional<AdvisedSetup>& s) {
           {"bytes_per_pixel", s->bytes_per_pixel},
           {"camera", s->proof.camera},
           {"worst", json_of(s->proof.worst)},
-          {"together", s->together ? json_of(std::vector{*s->together})[0] : Json(nullptr)},
+          {"together", s->together ? json_of(*s->together) : Json(nullptr)},
           {"settings", to_json(s->settings)}};
 }
 

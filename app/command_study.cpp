@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 #include <unistd.h>
 
 #include "app/bench.h"
@@ -14,6 +15,7 @@
 #include "renderer/base/json.h"
 #include "renderer/base/made_by.h"
 #include "renderer/opening/scene_look.h"
+#include "renderer/study/row_json.h"
 #include "renderer/study/study.h"
 #include "renderer/study/study_files.h"
 
@@ -50,14 +52,19 @@ void print_left_out(const StudyPlan& plan) {
 // The folder may hold rows of the same study of another scene: on one chart they would not belong together. Those of other machines
 // stay, although this one may not be able to draw them.
 std::vector<StudyRow> rows_of(const StudyPlan& plan, const std::vector<StudyRow>& all) {
+  std::set<std::string> keys;
   std::vector<const Settings*> truths;
-  const auto known = [&](const Settings& s) {
+  const auto same = [&](const Settings& s) {
     return std::any_of(truths.begin(), truths.end(), [&](const Settings* t) { return same_truth(*t, s); });
   };
-  for (const StudyCase& c : plan.cases)
-    if (!known(c.settings)) truths.push_back(&c.settings);
-  std::vector<StudyRow> out;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(out), [&](const StudyRow& r) { return known(r.settings); });
+  for (const StudyCase& c : plan.cases) {
+    keys.insert(row_key(c.settings));
+    if (!same(c.settings)) truths.push_back(&c.settings);
+  }
+  std::vector<StudyRow>
+      out;  // a row's settings are as drawn: by its key it is found even where something was chosen for it
+  std::copy_if(all.begin(), all.end(), std::back_inserter(out),
+               [&](const StudyRow& r) { return keys.count(r.key) > 0 || same(r.settings); });
   return out;
 }
 

@@ -35,8 +35,7 @@ vec2 uv_of(int map) { return uv0; }
 #endif
 
 // UVS_MOVED: for the reference, which knows where lines of sight end.
-#define SUNK (PARALLAX || UVS_MOVED && HEIGHTS)
-#if SUNK
+#if PARALLAX || (UVS_MOVED && HEIGHTS)
 #include "parallax.glsl"
 vec3 sunk_position;
 vec2 uv_moved;

@@ -17,13 +17,6 @@ constexpr int kBarSteps = 4;
 
 }  // namespace
 
-// Dark to light with each luminance at least 1.6 times the one before (plus 0.05, the projector's glare): the order
-// survives colour blindness, a grey print and a bright room. The hues are there to be named aloud.
-const glm::vec3 kLightCountPalette[kLightCountColours] = {
-    {0.04f, 0.04f, 0.06f}, {0.16f, 0.22f, 0.62f}, {0.05f, 0.46f, 0.55f},
-    {0.30f, 0.68f, 0.25f}, {0.98f, 0.76f, 0.15f}, {1.00f, 1.00f, 1.00f},
-};
-
 double round_for_bar(double x) {
   const double decade = std::pow(10, std::floor(std::log10(x)));
   for (const double step : {1.0, 1.2, 1.6, 2.0, 2.4, 3.2, 4.0, 6.0, 8.0})

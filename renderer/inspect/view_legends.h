@@ -66,7 +66,12 @@ inline constexpr int kLightCountColours = 6;
 // so that the last begins at the round number (1, 2 or 5 times a power of ten) below it.
 using CountSteps = std::array<int, kLightCountColours>;
 CountSteps count_steps(const ViewStats*);
-extern const glm::vec3 kLightCountPalette[kLightCountColours];
+// Dark to light with each luminance at least 1.6 times the one before (plus 0.05, the projector's glare): the order
+// survives colour blindness, a grey print and a bright room. The hues are there to be named aloud.
+inline constexpr glm::vec3 kLightCountPalette[kLightCountColours] = {
+    {0.04f, 0.04f, 0.06f}, {0.16f, 0.22f, 0.62f}, {0.05f, 0.46f, 0.55f},
+    {0.30f, 0.68f, 0.25f}, {0.98f, 0.76f, 0.15f}, {1.00f, 1.00f, 1.00f},
+};
 
 // Okabe and Ito 2008, "Color Universal Design": told apart by those who see red and green alike.
 inline constexpr glm::vec3 kMarkBlue{0.0f, 0.45f, 0.70f}, kMarkSky{0.34f, 0.71f, 0.91f}, kMarkGreen{0.0f, 0.62f, 0.45f},
@@ -80,13 +85,13 @@ inline constexpr ViewClass kFootprintClasses[] = {{"outside", kNoLight},
 inline constexpr ViewClass kMiscountClasses[] = {
     {"as it should be", kNoLight}, {"missed", kMarkPink}, {"too often", kMarkBlue}};
 inline constexpr ViewClass kTriangleClasses[] = {
-    {"256+ px", {0.04f, 0.04f, 0.06f}}, {"64+", {0.16f, 0.22f, 0.62f}}, {"16+", {0.05f, 0.46f, 0.55f}},
-    {"4+", {0.30f, 0.68f, 0.25f}},      {"1+", {0.98f, 0.76f, 0.15f}},  {"below 1", {1.00f, 1.00f, 1.00f}}};
+    {"256+ px", kLightCountPalette[0]}, {"64+", kLightCountPalette[1]}, {"16+", kLightCountPalette[2]},
+    {"4+", kLightCountPalette[3]},      {"1+", kLightCountPalette[4]},  {"below 1", kLightCountPalette[5]}};
 inline constexpr ViewClass kShadowMapClasses[] = {{"1, +X", kMarkBlue}, {"2, -X", kMarkOrange}, {"3, +Y", kMarkGreen},
                                                   {"4, -Y", kMarkPink}, {"5, +Z", kMarkSky},    {"6, -Z", kMarkYellow}};
 inline constexpr ViewClass kShadowTexelClasses[] = {
-    {"below 1/4 px", {0.04f, 0.04f, 0.06f}}, {"1/4+", {0.16f, 0.22f, 0.62f}}, {"1+", {0.05f, 0.46f, 0.55f}},
-    {"2+", {0.30f, 0.68f, 0.25f}},           {"4+", {0.98f, 0.76f, 0.15f}},   {"16+", {1.00f, 1.00f, 1.00f}}};
+    {"below 1/4 px", kLightCountPalette[0]}, {"1/4+", kLightCountPalette[1]}, {"1+", kLightCountPalette[2]},
+    {"2+", kLightCountPalette[3]},           {"4+", kLightCountPalette[4]},   {"16+", kLightCountPalette[5]}};
 inline constexpr ViewClass kCheckClasses[] = {{"sound", kNoLight},
                                               {"above white", kMarkSky},
                                               {"normal off length 1", kMarkOrange},

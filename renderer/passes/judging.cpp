@@ -1,5 +1,7 @@
 #include "renderer/passes/judging.h"
 
+#include <algorithm>
+
 #include "renderer/gl/device.h"
 #include "renderer/passes/float_rows.h"
 
@@ -120,7 +122,9 @@ std::optional<std::vector<SeenTexel>> TruthMaker::take_texels(bool wait) {
 // Where surfaces lie below their triangles, textures are read again there: where that is, is known when the triangles are.
 bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const std::vector<SeenTexel>& texels,
                                bool wait) {
+  const auto deep = [&](const Instance& i) { return has_heights(scene_->materials[static_cast<size_t>(i.material)]); };
   if (asked_below_ || settings_.height_map == HeightMap::off) return true;
+  if (std::none_of(scene_->instances.begin(), scene_->instances.end(), deep)) return true;
   if (!uvs_moved_.valid())
     uvs_moved_ = std::async(std::launch::async, [this, texels] {
       return uvs_moved(HeightFields(settings_, *scene_), settings_, texels, threads_, &cancel_);

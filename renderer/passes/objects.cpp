@@ -136,6 +136,12 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
   }
 }
 
+// Of one object, in corners that no two triangles share.
+void draw_captured(const Tessellation::Object& o) {
+  glBindVertexArray(o.vertex_array.id());
+  glDrawTransformFeedback(GL_TRIANGLES, o.captured.id());
+}
+
 }  // namespace
 
 static bool drawn_forward(const Frame& frame, const Material& m) {
@@ -228,19 +234,14 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     const gl::Program& program = frame.programs.get("object.vert", fragment, all);
     glUseProgram(program.id());
     bind_material(frame, program, material);
-    // Of one object, in corners that no two triangles share.
-    const auto draw_tessellated = [&] {
-      if (corners == Corners::numbered) glUniform1i(program.find_uniform("first_triangle"), 0);
-      glBindVertexArray(tessellated->vertex_array.id());
-      glDrawTransformFeedback(GL_TRIANGLES, tessellated->captured.id());
-    };
     if (set_uniforms) set_uniforms(program);
     if (clipped) set_clip_plane(frame, program);
     glUniform1i(program.uniform("first_instance"), draw.first);
     gl::apply_cull(cull_of(faces, material.double_sided));
     gl::apply_winding(draw.batch->mirrored ? gl::Winding::clockwise : gl::Winding::counter_clockwise);
     if (tessellated) {
-      draw_tessellated();
+      if (corners == Corners::numbered) glUniform1i(program.find_uniform("first_triangle"), 0);
+      draw_captured(*tessellated);
       continue;
     }
     if (corners == Corners::numbered) {

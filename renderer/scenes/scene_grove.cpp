@@ -2,6 +2,7 @@
 // point lights and a sky.
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/base/random.h"
@@ -106,7 +107,7 @@ Scene build_grove() {
   place(scene, "ground", make_grove_ground(noise), grass);
   constexpr double kRadius = 0.55, kTilesAround = 2;
   const int deep_bark =
-      add_relief(scene, make_bark(512, 6), {.name = "deep bark"}, kTilesAround / (2 * 3.14159 * kRadius));
+      add_relief(scene, make_bark(512, 6), {.name = "deep bark"}, kTilesAround / (glm::two_pi<double>() * kRadius));
   place(scene, "old trunk", add(scene, make_old_trunk(5.5, kRadius, 9), "old trunk"), deep_bark, standing_at(kTrunk));
   add_house(scene, wood);
   add_trees(scene, noise, bark, leaves);

@@ -155,6 +155,12 @@ bool varies(const StudySpec& spec, std::string_view path) {
   });
 }
 
+Json json_of(const std::vector<Coordinate>& base) {
+  Json out = Json::object();
+  for (const Coordinate& c : base) out[c.path] = to_json(c.value);
+  return out;
+}
+
 void put(StudySpec& spec, const Coordinate& c) {
   if (c.path == "scene")  // its camera and its exposure are its own
     std::erase_if(spec.base, [](const Coordinate& b) { return b.path.starts_with("camera.") || b.path == "exposure"; });
@@ -175,6 +181,9 @@ StudySpec with_given(StudySpec spec, const std::vector<Coordinate>& state, const
                   "leave it out, or write a spec of your own without it");
     put(spec, c);
   }
+  Json json = *spec.json;  // what a study's files say of it
+  if (!state.empty() || !explicitly.empty()) json["base"] = json_of(spec.base);
+  spec.json = std::make_shared<const Json>(std::move(json));
   return spec;
 }
 

@@ -25,7 +25,7 @@ struct StudySpec {
   std::vector<std::vector<PathValues>> permute;  // a union of products
   std::vector<std::vector<PathValues>> skip;
   std::string x, y, family;          // of the chart, unless another is asked for
-  std::shared_ptr<const Json> json;  // as read
+  std::shared_ptr<const Json> json;  // as read, with what was given in its base
 };
 
 // Every path, value and column has been checked. Error(bad_input) names file, path, what is wrong and how to fix it.

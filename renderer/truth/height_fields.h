@@ -21,7 +21,6 @@ class HeightFields {
  public:
   HeightFields(const Settings&, const Scene&);  // which must outlive it
 
-  bool any() const { return !maps_.empty(); }
   // A line of sight, relative to the camera, to a triangle with a height map. Nothing where its back is seen, or along it.
   Sunk sunk(const Ray&, const SeenSurface&) const;
   // From such a place towards a light: where it leaves the triangle's plane, and whether it came from below it. Empty: the

@@ -16,9 +16,9 @@ class LightSight {
 
   bool shadows() const { return rays_ != nullptr; }               // is there any light that could be hidden?
   std::shared_ptr<const RayScene> rays() const { return rays_; }  // null without shadows
-  // Is nothing solid between the surface and the light? A sunken surface hides lights from itself, too; other sunken ones hide
-  // what is behind their triangles. A shading normal that faces the light does not help where the
-  // triangle itself is turned away: then the object hides it. position: relative to the camera.
+  // Is nothing solid between the surface and the light? A shading normal that faces the light does not help where the triangle
+  // itself is turned away: then the object hides it. A sunken surface hides lights from itself, too; another one hides what is
+  // behind its triangles. position: relative to the camera.
   bool sees(const TruthLight&, const glm::dvec3& position, const SeenSurface&) const;
 
  private:

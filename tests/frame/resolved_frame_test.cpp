@@ -1,5 +1,6 @@
 #include "renderer/frame/resolved_frame.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 
@@ -113,6 +114,50 @@ TEST(LightsInView, ASampleStandsForManyLights) {
     EXPECT_NEAR(sampled.under_volumes / exact.under_volumes, 1, 0.25) << count;
     EXPECT_NEAR(sampled.under_quads / exact.under_quads, 1, 0.25) << count;
   }
+}
+
+// A deep mesh of so many triangles, and another object that shares it.
+Scene deep_scene(size_t triangles, bool shared) {
+  Scene scene;
+  scene.textures = {{.name = "heights", .size = {1, 1}, .rgba = {0, 0, 0, 255}}};
+  scene.materials = {{.name = "deep", .height_texture = {0}, .height_depth = 0.1f}};
+  scene.meshes.resize(1);
+  scene.meshes[0].vertices.resize(3);
+  for (size_t i = 0; i < 3 * triangles; ++i) scene.meshes[0].indices.push_back(static_cast<uint32_t>(i % 3));
+  scene.instances = {{"wall", 0, 0, glm::dmat4(1)}};
+  if (shared) scene.instances.push_back({"other wall", 0, 0, glm::dmat4(1)});
+  return scene;
+}
+
+bool says(const ResolvedFrame& f, std::string_view what) {
+  return std::any_of(f.choices.begin(), f.choices.end(), [&](const std::string& c) { return contains(c, what); });
+}
+
+TEST(Tessellated, AreDeepObjectsWithMeshesOfTheirOwn) {
+  Settings s = preset("start").make();
+  s.height_map = HeightMap::on;
+  s.tessellation = {TessellationMode::uniform, 64};
+  ResolvedFrame f = resolve_frame(s, deep_scene(100, false), {});
+  EXPECT_EQ(f.tessellated, std::vector<int>{0});
+  EXPECT_EQ(f.settings.tessellation.level, 64);
+  f = resolve_frame(s, deep_scene(100, true), {});
+  EXPECT_TRUE(f.tessellated.empty());
+  EXPECT_TRUE(says(f, "2 objects are not tessellated"));
+  f = resolve_frame(s, Scene{}, {});
+  EXPECT_TRUE(says(f, "no material of the scene has a height map"));
+  s.tessellation.mode = TessellationMode::off;
+  EXPECT_TRUE(resolve_frame(s, deep_scene(100, false), {}).tessellated.empty());
+}
+
+TEST(Tessellated, AreCutNoFinerThanMemoryAllows) {
+  Settings s = preset("start").make();
+  s.height_map = HeightMap::on;
+  s.tessellation = {TessellationMode::by_distance, 64};
+  const ResolvedFrame f = resolve_frame(s, deep_scene(2000, false), {});
+  const int level = f.settings.tessellation.level;
+  EXPECT_LE(2000 * tessellated_triangles(level), kMostTessellated);
+  EXPECT_GT(2000 * tessellated_triangles(level + 1), kMostTessellated);
+  EXPECT_TRUE(says(f, "tessellation.level=18 instead of 64")) << level;
 }
 
 }  // namespace

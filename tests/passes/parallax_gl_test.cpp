@@ -2,8 +2,7 @@
 #include "app/stability_bench.h"
 #include "renderer/frame/validate.h"
 #include "renderer/passes/judging.h"
-#include "renderer/scenes/builtin_scenes.h"
-#include "tests/gl_fixture.h"
+#include "tests/passes/along_the_wall.h"
 
 namespace gbl::test {
 namespace {
@@ -15,25 +14,7 @@ class ParallaxGl : public GlTest {
     static StabilityBench b(renderer, gl::probe_device({}));
     return b;
   }
-  static std::shared_ptr<const Scene> room() {
-    static const auto scene = std::make_shared<const Scene>(build_room());
-    return scene;
-  }
 };
-
-// Along the brick wall of the room.
-SweepSetup along_the_wall(std::shared_ptr<const Scene> scene) {
-  Settings s = float_settings(*scene);
-  s.scene = "builtin:room";
-  s.size = {160, 90};
-  s.camera.position = {3.4, 1.9, -1.9};
-  s.camera.orientation = orientation_from_yaw_pitch(62, -8);
-  s.camera.fov = 50, s.camera.near = 0.05, s.camera.far = 50;
-  s.lights.source = LightSource::scene;
-  s.attenuation = Attenuation::windowed;
-  s.height_map = HeightMap::on;
-  return {s, std::move(scene)};
-}
 
 double mean_degrees(const Measured& m) {
   double sum = 0;
@@ -55,7 +36,7 @@ double most_off(const Measured& m, double share) {  // units that so many pixels
 }
 
 TEST_F(ParallaxGl, EachMethodComesNearerThanTheOneBefore) {
-  SweepSetup s = along_the_wall(room());
+  SweepSetup s{along_the_wall(), room()};
   s.settings.parallax.steps = 16;
   double before = 1e9;
   for (const ParallaxMethod m :
@@ -69,7 +50,7 @@ TEST_F(ParallaxGl, EachMethodComesNearerThanTheOneBefore) {
 
 // Steps finer than a texel's height leave what float and the sampler round: no more.
 TEST_F(ParallaxGl, ManyStepsEndAtTheTruth) {
-  SweepSetup s = along_the_wall(room());
+  SweepSetup s{along_the_wall(), room()};
   s.settings.parallax = {ParallaxMethod::relief, 512, ParallaxDepth::displaced};
   const Measured m = bench().measure(s);
   EXPECT_LT(mean_degrees(m), 0.01);
@@ -77,7 +58,7 @@ TEST_F(ParallaxGl, ManyStepsEndAtTheTruth) {
 }
 
 TEST_F(ParallaxGl, DepthIsStoredWhereTheSurfaceIsSeenOrOnTheTriangle) {
-  SweepSetup s = along_the_wall(room());
+  SweepSetup s{along_the_wall(), room()};
   const double displaced = most_off(bench().measure(s), 0.9);
   s.settings.parallax.depth = ParallaxDepth::flat;
   const double flat = most_off(bench().measure(s), 0.9);
@@ -92,7 +73,7 @@ TEST_F(ParallaxGl, DepthIsStoredWhereTheSurfaceIsSeenOrOnTheTriangle) {
 
 // Passes that draw objects a second time find the depth of the first.
 TEST_F(ParallaxGl, AllMethodsOfLightingShowOnePicture) {
-  SweepSetup s = along_the_wall(room());
+  SweepSetup s{along_the_wall(), room()};
   s.settings.lights.method = LightMethod::fullscreen;
   const std::vector<glm::vec3> expected = bench().measure(s).drawn.lit;
   for (const LightMethod m : {LightMethod::forward, LightMethod::forward_prepass, LightMethod::forward_multipass,
@@ -124,7 +105,7 @@ TEST_F(ParallaxGl, WhereThereIsNoHeightMapNothingChanges) {
 
 // Shadow maps sink surfaces, too: else all that lies below a triangle would be in its shadow.
 TEST_F(ParallaxGl, ASunkenWallIsNotInItsOwnShadow) {
-  SweepSetup s = along_the_wall(room());
+  SweepSetup s{along_the_wall(), room()};
   s.settings.shadows = Shadows::all;
   s.settings.shadow.map_size = ShadowMapSize::s2048;
   const Measured m = bench().measure(s);

@@ -3,9 +3,8 @@
 
 #include "app/stability_bench.h"
 #include "renderer/passes/judging.h"
-#include "renderer/scenes/builtin_scenes.h"
 #include "renderer/truth/height_fields.h"
-#include "tests/gl_fixture.h"
+#include "tests/passes/along_the_wall.h"
 
 namespace gbl::test {
 namespace {
@@ -16,22 +15,10 @@ class TessellationGl : public GlTest {
     GlTest::SetUp();
     if (!gl::device().features.has(Feature::tessellation)) GTEST_SKIP() << "this driver has no tessellation";
   }
-  static std::shared_ptr<const Scene> room() {
-    static const auto scene = std::make_shared<const Scene>(build_room());
-    return scene;
-  }
 };
 
-Settings along_the_wall() {
-  Settings s = float_settings(*std::make_shared<Scene>());
-  s.scene = "builtin:room";
-  s.size = {160, 90};
-  s.camera.position = {3.4, 1.9, -1.9};
-  s.camera.orientation = orientation_from_yaw_pitch(62, -8);
-  s.camera.fov = 50, s.camera.near = 0.05, s.camera.far = 50;
-  s.lights.source = LightSource::scene;
-  s.attenuation = Attenuation::windowed;
-  s.height_map = HeightMap::on;
+Settings tessellated_wall() {
+  Settings s = along_the_wall();
   s.tessellation = {TessellationMode::by_distance, 16};
   return s;
 }
@@ -80,7 +67,7 @@ size_t open_edges(const Mesh& mesh) {
 TEST_F(TessellationGl, PatchesMeetWithoutAGap) {
   const GpuScene gpu(room());
   Targets targets;
-  Settings s = along_the_wall();
+  Settings s = tessellated_wall();
   for (const TessellationMode mode : {TessellationMode::uniform, TessellationMode::by_distance}) {
     s.tessellation.mode = mode;
     EXPECT_EQ(open_edges(mesh_named(*drawn(s, gpu, targets), "brick wall")), 0u) << row(mode).id;
@@ -93,7 +80,7 @@ TEST_F(TessellationGl, PatchesMeetWithoutAGap) {
 TEST_F(TessellationGl, CornersLieOnTheHeightField) {
   const GpuScene gpu(room());
   Targets targets;
-  Settings s = along_the_wall();
+  Settings s = tessellated_wall();
   s.tessellation.mode = TessellationMode::uniform;
   const HeightFields fields(s, *room());
   int wall = 0;
@@ -130,7 +117,7 @@ TEST_F(TessellationGl, CornersLieOnTheHeightField) {
 TEST_F(TessellationGl, TheReferenceIsOfTheTrianglesThatAreDrawn) {
   Renderer renderer;
   StabilityBench bench(renderer, gl::probe_device({}));
-  SweepSetup setup{along_the_wall(), room()};
+  SweepSetup setup{tessellated_wall(), room()};
   const Measured m = bench.measure(setup);
   EXPECT_LT(m.errors.over_1_255_display.value_or(1), 1e-3);
   EXPECT_LT(m.errors.position_p99.value_or(1), 1e-3);
@@ -146,7 +133,7 @@ TEST_F(TessellationGl, TheReferenceIsOfTheTrianglesThatAreDrawn) {
 TEST_F(TessellationGl, ShadowsMirrorsAndAllMethodsDrawTheSameTriangles) {
   Renderer renderer;
   StabilityBench bench(renderer, gl::probe_device({}));
-  SweepSetup setup{along_the_wall(), room()};
+  SweepSetup setup{tessellated_wall(), room()};
   setup.settings.camera = room()->camera;
   setup.settings.reflections = Reflections::on;
   setup.settings.shadows = Shadows::all;
@@ -168,7 +155,7 @@ TEST_F(TessellationGl, TrianglesAreMadeWhenTheyChange) {
   const GpuScene gpu(room());
   Renderer renderer;
   Targets targets;
-  Settings s = along_the_wall();
+  Settings s = tessellated_wall();
   const int first = renderer.render(s, gpu, targets).draw_calls;
   const std::vector<float> lit = gl::read_rgba32f(*targets.frame.texture(Stores::lit));
   EXPECT_EQ(renderer.render(s, gpu, targets).draw_calls, first - 2) << "the wall and the floor";

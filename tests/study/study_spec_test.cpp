@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "renderer/base/json.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
 #include "renderer/study/seeded_camera.h"
@@ -288,6 +289,10 @@ TEST(GivenToAStudy, StandsInThePlaceOfItsBase) {
     EXPECT_NE(s.camera.fov, 30) << "a scene brings its own camera";
     EXPECT_EQ(before.cases[i].settings.camera.fov, 30);
   }
+  const StudySpec given = with_given(spec, {}, {{"ambient", 0.4}});
+  EXPECT_EQ((*given.json)["base"]["ambient"], 0.4) << "the files say what was measured";
+  EXPECT_EQ((*given.json)["base"]["scene"], "builtin:room");
+  EXPECT_EQ(parse_study(given.json->dump(), "again").base, given.base);
   const StudyPlan aimed =
       expand(with_given(spec, {}, {{"scene", "builtin:hall"}, {"camera.fov", 50}}), empty_scene, everything());
   EXPECT_EQ(aimed.cases[0].settings.camera.fov, 50) << "unless one is given";

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
 #include <set>
 
 #include "renderer/base/error.h"
@@ -12,7 +11,6 @@
 #include "renderer/frame/frame_lights.h"
 #include "renderer/frame/method_choice.h"
 #include "renderer/frame/resolve.h"
-#include "renderer/frame/resolved_frame.h"
 #include "renderer/light/lights.h"
 #include "renderer/options/options.h"
 #include "renderer/study/advice/axis_values.h"
@@ -85,41 +83,20 @@ class Advisor {
   // What is not stored comes on top of the set-up that stores the rest.
   void look_at_sights() {
     if (!advice_.best || truth_ == lit_alone(truth_)) return;
-    std::vector<Assignment> chosen;
-    const std::vector<SightAxis> axes = sight_axes(truth_, shadowed_lights());
-    for (const SightAxis& axis : axes) {
-      const auto judge = [&](const std::vector<Assignment>& v, const Settings& s) -> std::optional<Tried> {
-        if (leaves_more_out(s)) return {};
-        return worst_of(v, s);
-      };
-      SightChoice choice = choose_sight(axis, base_, chosen, budget_, limits_, judge);
-      for (std::string& line : in_sentences(axis, choice, budget_)) sights_left_out_.push_back(std::move(line));
-      for (const Assignment& a : choice.tried[choice.taken].values) chosen.push_back(a);
-      advice_.sights.push_back(std::move(choice));
-    }
+    SightAdvice sights =
+        advise_sights(truth_, base_, scene_, budget_, limits_,
+                      [&](const std::vector<Assignment>& v, const Settings& s) { return worst_of(v, s); });
+    advice_.sights = std::move(sights.choices), sights_left_out_ = std::move(sights.left_out);
     for (std::optional<AdvisedSetup>* setup : {&advice_.best, &advice_.runner_up}) {
       if (!*setup) continue;
       Settings& s = (*setup)->settings;
       s.shadows = truth_.shadows, s.reflections = truth_.reflections, s.height_map = truth_.height_map;
-      if (!chosen.empty()) apply_values(s, chosen);
+      if (!sights.chosen.empty()) apply_values(s, sights.chosen);
       if (cost_ == AdviceCost::time) (*setup)->cost = measure_(s);
       (*setup)->together = worst_of(setup_values(s), s);
     }
     if (cost_ == AdviceCost::time && advice_.runner_up && cheaper(*advice_.runner_up, *advice_.best))
       std::swap(advice_.best, advice_.runner_up);
-  }
-
-  // Maps too large for all lights to have one are no answer: the error would be that of the missing ones.
-  bool leaves_more_out(const Settings& s) {
-    const int without = resolve_frame(s, scene_, limits_.features).shadows.without;
-    return without > least_without_.try_emplace(s.shadow.max_lights, without).first->second;
-  }
-
-  int shadowed_lights() const {
-    const std::vector<Light> lights = lights_of(truth_, scene_);
-    if (truth_.shadows == Shadows::all) return static_cast<int>(lights.size());
-    return static_cast<int>(
-        std::count_if(lights.begin(), lights.end(), [](const Light& l) { return l.kind == LightKind::directional; }));
   }
 
   void step(const std::string& what) const {
@@ -339,7 +316,6 @@ class Advisor {
   const Settings truth_;
   Settings base_;
   std::vector<std::string> sights_left_out_;
-  std::map<int, int> least_without_;    // of each shadow.max-lights: lights without a map where maps are smallest
   std::vector<Values> axes_;            // of each, the values that hold alone
   std::optional<AdvisedSetup> so_far_;  // of the values alone: the fewest bytes that hold
   Advice advice_;
