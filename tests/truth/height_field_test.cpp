@@ -126,8 +126,9 @@ TEST(HeightField, ATrenchHidesLowLights) {
   // Texel centres at (i + 0.5) / 32 - 1: the ground from 24 to 39, the wall's top at 40.
   const double top = 40.5 / 32 - 1;
   int seen = 0, hidden = 0;
-  for (double x = -0.2; x < 0.2; x += 0.013)
-    for (double angle = 2; angle < 90; angle += 1.7) {
+  for (int across = 0; across < 31; ++across)
+    for (int turn = 0; turn < 52; ++turn) {
+      const double x = -0.2 + 0.013 * across, angle = 2 + 1.7 * turn;
       TruthLight sun;
       sun.light.kind = LightKind::directional;
       sun.light.direction = -glm::dvec3(std::cos(glm::radians(angle)), std::sin(glm::radians(angle)), 0);
