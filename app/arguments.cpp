@@ -111,6 +111,28 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("--size", a.size, "WxH of the pictures that are judged (default: 320x180)");
     app.add_option("-o,--output", a.output, "folder for a page and a picture each, made if need be (default: none)");
   }
+  if (command == "figures") {
+    app.add_option("set", a.what,
+                   "a set of figures, a spec's JSON file, or a picture made of one; without: what there is");
+    app.add_flag("--list", a.list, "only what is in the set");
+    app.add_option("--only", a.only, "figures by id, comma-separated; default: all");
+    app.add_option("-o,--output", a.output,
+                   "folder for pictures and captions, made if need be (default: out/figures/SET)");
+    add_number(app, "--scale", a.scale, "of frames, type and lines, 0.25 to 8 (default: 1)", 0.25, 8);
+    add_number(app, "--width-cm", a.width_cm, "as printed, at 300 dots per inch; the scale follows", 2, 100)
+        ->excludes("--scale");
+    app.add_flag("--light", a.light, "on white paper");
+    app.add_flag("--grey", a.grey, "as a printer without colours shows it");
+    app.add_flag("--pictures-only", a.pictures_only, "without captions");
+    app.add_flag("--few-colours", a.few_colours, "256 colours at most: a third of the bytes");
+    app.add_flag("--exr", a.exr, "also ID.exr: the numbers of the views in it, as floats");
+    app.add_option("--check", a.check, "say which pictures in this folder are out of date; exit code 1 if any");
+  }
+  if (command == "handout") {
+    app.add_option("lesson", a.what, "a lesson (list lessons), or a lesson's JSON file")->required();
+    app.add_option("-o,--output", a.output, "folder for the handout, made if need be (default: out/handout)");
+    app.add_flag("--script", a.script, "the lecturer's script instead: what to press, what to say, minutes");
+  }
   if (command == "list") {
     CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");
     app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what)->excludes(json);

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 #include <future>
 #include <sstream>
-#include <thread>
-#include <unistd.h>
 
 #include "app/commands.h"
 #include "app/headless.h"
@@ -12,6 +10,9 @@
 #include "app/layers_exr.h"
 #include "app/picture_texts.h"
 #include "app/report_json.h"
+#include "app/sheet_maker.h"
+#include "app/truth_drawing.h"
+#include "app/window_picture.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
@@ -50,17 +51,6 @@ void announce(Lab& lab, const Settings& s) {
   lab.open(s.scene);
   const double ms = lab.cost().predict_ms(*lab.resolve(s));
   if (ms > kWarnMs) fmt::print(stderr, "gbufferlab: this frame is predicted to take about {:.0f} s\n", ms / 1000);
-}
-
-// The reference may take long where there are many lights: on a terminal its progress is shown.
-void draw_against_truth(Lab& lab, View v) {
-  const bool terminal = isatty(STDERR_FILENO);
-  for (bool shown = false; !lab.draw_truth_view(v, false); shown = true) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(shown ? 100 : 10));
-    if (terminal && shown) fmt::print(stderr, "\r\033[Kreference: {:.0f} %", 100 * lab.truth_progress());
-  }
-  if (terminal) fmt::print(stderr, "\r\033[K");
-  if (v == View::error) lab.take_error_stats(true);
 }
 
 // PNGs are packed on other threads while the GPU draws the next view.
@@ -114,23 +104,15 @@ void say_missing_overlays(const Settings& drawn) {
       fmt::print(stderr, "gbufferlab: view.overlays: {}: {}\n", o.view, why);
 }
 
-ui::Sheet sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
-  ui::Sheet sheet;
-  sheet.title = "G-Buffer Lab";
-  sheet.caption = ui::made_in_words(lab.drawn(), lab.report());
+Image sheet_of(const Arguments& a, Lab& lab, const std::vector<View>& views_shown) {
+  SheetMaker maker;
+  maker.sheet().title = "G-Buffer Lab";
+  maker.sheet().caption = ui::made_in_words(lab.drawn(), lab.report());
   for (const View v : views_shown) {
     if (!needs_truth(v)) lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
-    sheet.tiles.push_back({v, lab.handle_of(v), "", overlaid(a, lab, v)});
+    maker.add(lab, v, overlaid(a, lab, v));
   }
-  return sheet;
-}
-
-Image picture_of(Lab& lab, const ui::Sheet& sheet) {
-  ui::Ui ui(lab.drawn(), false);
-  ImguiScreen screen;
-  const ui::Input input = ui_input(lab);
-  const auto draw = [&] { ui::draw_sheet(sheet, lab.drawn(), input); };
-  return screen.picture(ui::sheet_size(sheet, lab.drawn()), draw);
+  return maker.picture();
 }
 
 std::string command_of(const Arguments& a) {
@@ -164,10 +146,7 @@ ExitCode run_render(const Arguments& a) {
   Writer writer(folder);
   size_t numbers16 = 0;
   for (const View v : shown) {
-    if (needs_truth(v))
-      draw_against_truth(lab, v);
-    else
-      lab.draw_measured_view(v, {.overlays = overlaid(a, lab, v)});
+    draw_any_view(lab, v, overlaid(a, lab, v));
     const std::string only = fmt::format(" --only {}", row(v).id);
     writer.write(fmt::format("{}.png", row(v).id), lab.image_of(v), texts(only));
     if (a.png16 && !needs_truth(v)) {
@@ -181,7 +160,7 @@ ExitCode run_render(const Arguments& a) {
   if (a.exr) write_layers(folder / "layers.exr", lab, shown, texts(all + " --exr"));
   lab.collect(true);
   if (a.sheet) {
-    writer.write("sheet.png", picture_of(lab, sheet_of(a, lab, shown)), texts(all + " --sheet"));
+    writer.write("sheet.png", sheet_of(a, lab, shown), texts(all + " --sheet"));
     const Preset* p = preset_of(s);
     write_text_file(folder / "packing.svg", packing_svg(lab.report().drawn, p ? p->id : row(s.layout).id));
   }
@@ -198,33 +177,20 @@ ExitCode run_render(const Arguments& a) {
 
 namespace {
 
-// The first screen, as the window shows it.
-Image first_screen(Lab& lab, Settings s) {
-  ui::Ui ui(s, false);
-  ImguiScreen screen;
-  lab.draw(s);
-  lab.count_pairs(true);
-  for (const ViewRow& v : views())
-    if (std::string_view(v.key).size() == 1) lab.draw_measured_view(v.view, {.overlays = lab.is_main(v.view)});
-  lab.collect(true);
-  const ui::Input input = ui_input(lab);
-  return screen.picture({1600, 900}, [&] { ui.draw(s, input, {}); });
-}
-
 // The final picture under three culling rules, side by side.
 Image three_culls(Lab& lab, Settings s) {
-  ui::Sheet sheet{.title = "Which faces of a light volume are drawn?", .columns = 3, .tile_width = 640};
-  std::vector<Canvas> kept;  // each view is overwritten by the next
+  SheetMaker maker;
+  ui::Sheet& sheet = maker.sheet();
+  sheet.title = "Which faces of a light volume are drawn?";
+  sheet.columns = 3, sheet.tile_width = 640;
   for (const LightCull cull : {LightCull::flip, LightCull::back, LightCull::none}) {
     s.lights.cull = cull;
     lab.draw(s);
     lab.draw_view(View::final);
-    kept.push_back(lab.copy_of(View::final));
-    sheet.tiles.push_back(
-        {View::final, {kept.back().texture.id(), s.size}, fmt::format("cull {}: {}", row(cull).id, row(cull).help)});
+    maker.add(lab, View::final, false).caption = fmt::format("cull {}: {}", row(cull).id, row(cull).help);
   }
   sheet.caption = "The camera stands inside the volumes of two lights, and outside all others.";
-  return picture_of(lab, sheet);
+  return maker.picture();
 }
 
 }  // namespace
@@ -237,7 +203,7 @@ ExitCode run_start_sheets(const Arguments& a) {
   const fs::path folder = "out";
   make_folder(folder);
   const PngText texts = picture_texts("gbufferlab", s, lab.machine());
-  write_png(folder / "start.png", first_screen(lab, s), texts);
+  write_png(folder / "start.png", first_screen(lab, s, {1600, 900}, true), texts);
   write_png(folder / "start_cull.png", three_culls(lab, s), texts);
   fmt::print("No display: wrote the first screen instead.\n  {}\n  {}\n", (folder / "start.png").string(),
              (folder / "start_cull.png").string());

@@ -22,6 +22,10 @@ constexpr Command kCommands[] = {
     {"stability", "one parameter through the place where methods break, each curve with a statement that is checked",
      run_stability},
     {"pitfalls", "where methods fail: each pitfall broken and fixed, judged by the reference", run_pitfalls},
+    {"figures", "captioned figures for lecture notes, from data: Markdown and LaTeX beside each picture", run_figures},
+    {"handout",
+     "a lesson on paper: figures, questions with room to write, answers at the end; or the lecturer's script",
+     run_handout},
     {"list",
      "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, pitfalls, "
      "lessons, studies",

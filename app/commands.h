@@ -21,11 +21,11 @@ struct LoadProgress;
 // The command line, read but not yet judged: see settings_of() for the order in which its parts apply.
 struct Arguments {
   std::string command;                // empty: none given
-  std::string what;                   // of `list` and `study`
+  std::string what;                   // of `list`, `study` and `figures`
   std::vector<std::string> sweeps;    // of `stability`; none: all
   std::optional<int> configurations;  // of each family of random ones
   std::vector<std::string> pitfalls;  // by id; none: all
-  bool list = false;                  // of `pitfalls`: only what there is
+  bool list = false;                  // of `pitfalls` and `figures`: only what there is
 
   std::optional<std::string> scene, preset, state, rig, camera, size;
   std::optional<int> lights;
@@ -38,11 +38,15 @@ struct Arguments {
   std::optional<std::filesystem::path> output;  // -o DIR
   std::string only;                             // views, comma-separated
   bool raw = false, sheet = false, exr = false, png16 = false;
-  std::optional<int> pixel_x, pixel_y;       // of `probe`, origin top left
-  std::optional<double> budget, budget_max;  // of `advise`: codes of 255 as displayed
-  std::string cost = "time";                 // of `advise`
-  bool apply = false;                        // of `advise`: write the settings
-  std::optional<std::string> shard;          // of `study`: "i/n"
+  std::optional<double> scale, width_cm;                                         // of `figures`
+  bool script = false;                                                           // of `handout`
+  bool light = false, grey = false, few_colours = false, pictures_only = false;  // of `figures`
+  std::optional<std::filesystem::path> check;  // of `figures`: compare with this folder
+  std::optional<int> pixel_x, pixel_y;         // of `probe`, origin top left
+  std::optional<double> budget, budget_max;    // of `advise`: codes of 255 as displayed
+  std::string cost = "time";                   // of `advise`
+  bool apply = false;                          // of `advise`: write the settings
+  std::optional<std::string> shard;            // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson, pitfall;  // of `view`: open this one
   std::optional<int> frames;    // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none
@@ -83,6 +87,8 @@ ExitCode run_study_command(const Arguments&);
 ExitCode run_advise(const Arguments&);
 ExitCode run_stability(const Arguments&);
 ExitCode run_pitfalls(const Arguments&);
+ExitCode run_figures(const Arguments&);
+ExitCode run_handout(const Arguments&);
 ExitCode run_list(const Arguments&);
 // As `list WHAT --md` prints it; `columns` chooses some of them.
 std::string list_markdown(const std::string& what, std::span<const std::string_view> columns = {});

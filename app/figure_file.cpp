@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <fmt/format.h>
 
+#include "app/figure_writer.h"
 #include "app/picture_texts.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/made_by.h"
 
 namespace gbl {
 namespace {
@@ -35,6 +37,19 @@ Image with_caption(Image picture, const ui::Figure& figure, ImguiScreen& screen)
   return picture;
 }
 
+// Its first line says what is seen, the others how it was made.
+FigureWords words_of(const ui::Figure& figure, const std::filesystem::path& path, const std::string& command) {
+  const std::string seen = figure.caption.empty() ? "The window of G-Buffer Lab." : figure.caption[0];
+  return {.id = path.stem().string(),
+          .file = path.filename().string(),
+          .title = seen,
+          .caption = figure.caption.empty() ? seen : fmt::format("{}", fmt::join(figure.caption, " ")),
+          .alt = seen,
+          .source = "",
+          .command = command,
+          .made_by = made_by()};
+}
+
 }  // namespace
 
 std::string save_figure(const ui::Figure& figure, glm::ivec2 window, ImguiScreen& screen, const Settings& s,
@@ -44,7 +59,9 @@ std::string save_figure(const ui::Figure& figure, glm::ivec2 window, ImguiScreen
   if (!figure.caption.empty()) image = with_caption(std::move(image), figure, screen);
   make_folder("out");
   const std::filesystem::path path = free_figure_name(s);
-  write_png(path, image, picture_texts("gbufferlab view", s, machine));
+  const PngText texts = picture_texts("gbufferlab view", s, machine);
+  write_png(path, image, texts);
+  write_words(path.parent_path(), words_of(figure, path, texts.back().second));
   return fmt::format("saved {}", path.string());
 }
 

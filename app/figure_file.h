@@ -7,7 +7,7 @@
 
 namespace gbl {
 
-// From the back buffer of a window of this size, into out/figure-NNN-VIEW.png; says where.
+// From the back buffer of a window of this size, into out/figure-NNN-VIEW.png, with the caption as .md and .tex beside it; says where.
 std::string save_figure(const ui::Figure&, glm::ivec2 window, ImguiScreen&, const Settings&, const Machine&);
 
 }  // namespace gbl

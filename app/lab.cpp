@@ -149,7 +149,7 @@ ui::ViewImage Lab::handle_of(View view) const {
   return canvas ? ui::ViewImage{canvas->texture.id(), canvas->texture.size} : ui::ViewImage{};
 }
 
-Canvas Lab::copy_of(View view) const { return copied(*targets_.canvases.drawn_view(view)); }
+Canvas Lab::copy_of(View view, bool squares) const { return copied(*targets_.canvases.drawn_view(view), squares); }
 
 void count_lights(Lab& lab, PixelAccount& account, size_t most) {
   if (!lab.shades_pixels()) return;
@@ -159,9 +159,10 @@ void count_lights(Lab& lab, PixelAccount& account, size_t most) {
   for (size_t i = 0; i < times.size(); ++i) account.lights[i].shaded = times[i];
 }
 
-ui::Input ui_input(const Lab& lab) {
-  ui::Input input{
-      .scene = lab.scene(), .lights = lab.lights(), .features = lab.device().features, .report = lab.report()};
+ui::Input ui_input(const Lab& lab) { return ui_input(lab, lab.report()); }
+
+ui::Input ui_input(const Lab& lab, const FrameReport& report) {
+  ui::Input input{.scene = lab.scene(), .lights = lab.lights(), .features = lab.device().features, .report = report};
   for (int v = 0; v < kViewCount; ++v) input.images[v] = lab.handle_of(static_cast<View>(v));
   for (int v = 0; v < kViewCount; ++v) input.stats[v] = lab.stats_of(static_cast<View>(v));
   input.error = lab.error_stats();

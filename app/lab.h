@@ -80,7 +80,7 @@ class Lab {
   std::shared_ptr<const ResolvedFrame> resolve(const Settings& s) { return renderer_.resolve(s, *gpu_scene_); }
   Image image_of(View) const;  // of the view drawn last; waits for the GPU
   ui::ViewImage handle_of(View) const;
-  Canvas copy_of(View) const;
+  Canvas copy_of(View, bool squares = false) const;
 
  private:
   gl::Device device_;
@@ -111,5 +111,6 @@ void count_lights(Lab&, PixelAccount&, size_t most);
 
 // What a panel reads, from what the lab has drawn.
 ui::Input ui_input(const Lab&);
+ui::Input ui_input(const Lab&, const FrameReport&);  // with another report of the same frame
 
 }  // namespace gbl

@@ -9,14 +9,6 @@
 namespace gbl {
 namespace {
 
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+.,:/@%";
-  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
-  return out + "'";
-}
-
 // A text that would be read as a number or a list is written as JSON.
 std::string as_typed(const OptionValue& value) {
   const std::string text = plain(value);
@@ -25,11 +17,19 @@ std::string as_typed(const OptionValue& value) {
 
 }  // namespace
 
+std::string shell_quoted(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=+.,:/@%";
+  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string(R"('\'')") : std::string(1, c);
+  return out + "'";
+}
+
 std::string command_line(const std::string& command, const Settings& s) {
   const Settings loaded = setup_of({}).settings;
   std::string line = command;
   for (const Option& o : options())
-    if (o.get(s) != o.get(loaded)) line += " --set " + quoted(fmt::format("{}={}", o.path, as_typed(o.get(s))));
+    if (o.get(s) != o.get(loaded)) line += " --set " + shell_quoted(fmt::format("{}={}", o.path, as_typed(o.get(s))));
   return line;
 }
 

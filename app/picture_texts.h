@@ -12,6 +12,8 @@ inline constexpr const char* kVersionKey = "gbufferlab-version";  // and a hash 
 inline constexpr const char* kDriverKey = "gbufferlab-driver";
 inline constexpr const char* kCommandKey = "gbufferlab-command";
 
+std::string shell_quoted(const std::string& word);  // as one word of a shell's line
+
 // The line for a shell that draws these settings: the command's words, then an option for each value that is not as
 // loaded. Whatever preset, state or scene they came from is not needed any more, but for the files of models and rigs.
 std::string command_line(const std::string& command, const Settings&);

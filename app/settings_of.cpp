@@ -1,53 +1,18 @@
 #include <algorithm>
 #include <fmt/format.h>
-#include <sstream>
 
 #include "app/commands.h"
 #include "app/file_opening.h"
-#include "renderer/base/number.h"
 #include "renderer/base/size_text.h"
 #include "renderer/opening/exposure_meter.h"
 #include "renderer/opening/scene_look.h"
+#include "renderer/options/camera_text.h"
 #include "renderer/options/presets.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/scenes/rig.h"
 
 namespace gbl {
 namespace {
-
-// "1,2.5,-3" -> numbers; anything else is an Error.
-std::vector<double> numbers(const std::string& text, const char* where, const char* form) {
-  std::vector<double> out;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    const std::optional<double> n = decimal(part);
-    if (!n)
-      throw Error(ExitCode::bad_input, where, fmt::format("'{}' is not a number", part), fmt::format("write {}", form));
-    out.push_back(*n);
-  }
-  return out;
-}
-
-void apply_camera(Settings& s, const std::string& text) {
-  constexpr const char* kForm = "x,y,z:yaw,pitch[:fov]";
-  std::vector<std::string> parts;
-  std::istringstream split(text);
-  for (std::string part; std::getline(split, part, ':');) parts.push_back(part);
-  const auto bad = [&] {
-    return Error(ExitCode::bad_input, "--camera", fmt::format("'{}' is not a camera", text),
-                 fmt::format("write {}", kForm));
-  };
-  if (parts.size() < 2 || parts.size() > 3) throw bad();
-  const auto place = numbers(parts[0], "--camera", kForm), turn = numbers(parts[1], "--camera", kForm);
-  if (place.size() != 3 || turn.size() != 2) throw bad();
-  apply_patch(s, {{"camera.position", OptionList(place.begin(), place.end())}}, "--camera");
-  s.camera.orientation = orientation_from_yaw_pitch(turn[0], turn[1]);
-  s.camera.orthographic_height = 0;
-  if (parts.size() < 3) return;
-  const auto fov = numbers(parts[2], "--camera", kForm);
-  if (fov.size() != 1) throw bad();
-  apply_patch(s, {{"camera.fov", fov[0]}, {"camera.aspect", 0}}, "--camera");
-}
 
 void apply_size(Settings& s, const std::string& text) {
   const std::optional<glm::ivec2> size = size_of(text);
@@ -67,7 +32,7 @@ Setup setup_of(const Arguments& a, const LoadProgress* progress) {
     apply_scene(s, *a.scene, *setup.scene);
     if (!a.preset && !a.state) apply_drawing(s, *a.scene);
   }
-  if (a.camera) apply_camera(s, *a.camera);
+  if (a.camera) apply_camera(s, *a.camera, "--camera");
   if (a.lights) {
     apply_patch(s, {{"lights.count", *a.lights}}, "--lights");
     option("lights.count").implies(s);
@@ -98,7 +63,7 @@ Given given_of(const Arguments& a) {
   if (a.preset) given.explicitly.push_back({"preset", *a.preset});
   if (a.scene) given.explicitly.push_back({"scene", *a.scene});
   if (a.camera) {
-    apply_camera(s, *a.camera);
+    apply_camera(s, *a.camera, "--camera");
     for (const char* path : {"camera.position", "camera.orientation", "camera.orthographic-height"}) give(path);
     if (std::count(a.camera->begin(), a.camera->end(), ':') == 2) give("camera.fov"), give("camera.aspect");
   }

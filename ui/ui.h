@@ -161,27 +161,6 @@ class Ui {
 // The window before there is anything to show: what the program does meanwhile, over the whole display.
 void draw_start(const std::string& line);
 
-// ---- pictures without a window ---------------------------------------------------------------------------
-// The same panels in a captioned contact sheet, for ImGui frames drawn off screen.
-struct SheetTile {
-  View view;
-  ViewImage image;
-  std::string caption;    // below the picture; may be empty
-  bool overlaid = false;  // what settings.view.overlays names is laid over it
-};
-struct Sheet {
-  std::string title;    // first line
-  std::string caption;  // settings in words, below the title
-  std::vector<SheetTile> tiles;
-  int columns = 3;
-  float tile_width = 480;  // pixels
-};
-glm::ivec2 sheet_size(const Sheet&, const Settings&);  // pixels that draw_sheet needs
-void draw_sheet(const Sheet&, const Settings&, const Input&);
-
-// The first screen's mosaic without the window's controls being usable: what `start.png` shows.
-// (Ui::draw with no keys gives it.)
-
 // ---- keys ------------------------------------------------------------------------------------------------
 struct KeyRow {
   std::string key;  // as printed: "C", "[ ]", "Shift ,"

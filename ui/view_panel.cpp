@@ -75,6 +75,7 @@ void draw_view_panel(Painter& p, const Box& panel, View v, const ViewImage& imag
     const ImVec2 top_left{first.x, 1 - first.y}, bottom_right{last.x, 1 - last.y};  // GL's rows go up
     if (image.texture)
       p.list().AddImage(reinterpret_cast<ImTextureID>(image.texture), picture.min, picture.max, top_left, bottom_right);
+    if (look.over) look.over(p);
   }
   const float thickness = std::max(2.0f, std::round(panel.width() / 300));
   p.outline(panel, pass_colour(view.written_by, on_picture()), thickness);

@@ -1,6 +1,7 @@
 #pragma once
 // One view as a panel: its picture, a frame in the colour of the pass that wrote it, a badge and a legend on the
 // picture. The window and the contact sheet draw the same panels.
+#include <functional>
 #include <string_view>
 
 #include "renderer/inspect/views.h"
@@ -19,6 +20,7 @@ struct PanelLook {
   Zoom zoom;
   float foot = 0;                       // at the lower edge, kept free of the legend
   std::vector<OverlayLegend> overlays;  // of what is laid over it
+  std::function<void(Painter&)> over;   // drawn on the picture, below badge and legends
 };
 
 // The legend of a view as it is drawn now: the error's bar depends on what was found.

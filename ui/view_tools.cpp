@@ -5,12 +5,13 @@
 #include <fmt/format.h>
 
 #include "ui/histogram.h"
+#include "ui/pixel_numbers.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
 namespace {
 
-constexpr double kGridFrom = 8, kNumbersFrom = 48, kLargestPixel = 128;  // screen pixels per pixel of the picture
+constexpr double kLargestPixel = 128;  // screen pixels per pixel of the picture
 
 size_t at(View v) { return static_cast<size_t>(v); }
 
@@ -101,39 +102,6 @@ void for_each_tool(const FrameContext& f, Each each) {
   }
 }
 
-// ---- single pixels -------------------------------------------------------------------------------------
-// Pixels of the frame that the panel shows, wholly or in part: the first, and how many.
-std::pair<glm::ivec2, glm::ivec2> shown_pixels(const FrameContext& f, const Zoom& zoom) {
-  const glm::dvec2 size(f.frame_size());
-  const glm::ivec2 first(glm::floor(zoom.first() * size));
-  const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil((zoom.first() + 1 / zoom.scale) * size)), f.frame_size());
-  return {glm::max(first, glm::ivec2(0)), last - glm::max(first, glm::ivec2(0))};
-}
-
-void print_numbers(FrameContext& f, View v, const Box& picture, const Zoom& zoom, float pixel_px) {
-  const PixelNumbers* n = f.input.numbers;
-  if (!n || n->view != v) return;
-  const int components = row(v).values.components;
-  const float px =
-      std::max(kSmallestPx, std::min(f.type.small, std::floor(pixel_px / (components == 1 ? 4.5f : 5.5f))));
-  const glm::dvec2 size(f.frame_size());
-  for (int y = 0; y < n->pixels.count.y; ++y)
-    for (int x = 0; x < n->pixels.count.x; ++x) {
-      const glm::vec4& value =
-          n->values[static_cast<size_t>(y) * static_cast<size_t>(n->pixels.count.x) + static_cast<size_t>(x)];
-      if (value.w <= 0.5f) continue;
-      const glm::vec2 middle(in_panel(zoom, (glm::dvec2(n->pixels.first + glm::ivec2(x, y)) + 0.5) / size));
-      ImVec2 at{picture.min.x + middle.x * picture.width(),
-                picture.min.y + middle.y * picture.height() - px * 0.6f * static_cast<float>(components)};
-      for (int c = 0; c < components; ++c, at.y += px * 1.2f) {
-        const std::string text = fmt::format("{:.4g}", value[c]);
-        const ImVec2 from{at.x - text_size(text, px).x / 2, at.y};
-        f.painter.text({from.x + 1, from.y + 1}, px, IM_COL32_BLACK, text);  // readable on light and dark
-        f.painter.text(from, px, IM_COL32_WHITE, text);
-      }
-    }
-}
-
 }  // namespace
 
 Zoom zoom_of(const FrameContext& f, View v) {
@@ -214,25 +182,13 @@ void draw_view_tools(FrameContext& f) {
 
 void draw_pixel_grid(FrameContext& f, View v, const Box& picture) {
   const Zoom zoom = zoom_of(f, v);
-  const double pixel_px = zoom.scale * picture.width() / f.frame_size().x;
   f.requests.magnified |= !zoom.whole();
-  if (pixel_px < kGridFrom) return;
-  const auto [first, count] = shown_pixels(f, zoom);
-  const glm::dvec2 size(f.frame_size());
-  f.painter.list().PushClipRect(picture.min, picture.max, true);
-  for (int x = first.x; x <= first.x + count.x; ++x) {
-    const float at_x = picture.min.x + static_cast<float>(in_panel(zoom, {x / size.x, 0}).x) * picture.width();
-    f.painter.list().AddLine({at_x, picture.min.y}, {at_x, picture.max.y}, IM_COL32(128, 128, 128, 110));
-  }
-  for (int y = first.y; y <= first.y + count.y; ++y) {
-    const float at_y = picture.min.y + static_cast<float>(in_panel(zoom, {0, y / size.y}).y) * picture.height();
-    f.painter.list().AddLine({picture.min.x, at_y}, {picture.max.x, at_y}, IM_COL32(128, 128, 128, 110));
-  }
-  if (v == f.layout.main && pixel_px >= kNumbersFrom && !needs_truth(v)) {
-    f.requests.numbers = {v, PixelGrid{first, {1, 1}, count}};
-    print_numbers(f, v, picture, zoom, static_cast<float>(pixel_px));
-  }
-  f.painter.list().PopClipRect();
+  draw_grid(f.painter, picture, zoom, f.frame_size());
+  const bool numbers = zoom.scale * picture.width() / f.frame_size().x >= kNumbersFrom;
+  if (v != f.layout.main || !numbers || needs_truth(v)) return;
+  f.requests.numbers = {v, shown_pixels(zoom, f.frame_size())};
+  if (f.input.numbers && f.input.numbers->view == v)
+    draw_numbers(f.painter, picture, zoom, f.frame_size(), *f.input.numbers, f.type.small);
 }
 
 }  // namespace gbl::ui

@@ -6,6 +6,7 @@
 
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/stored_fields.h"
+#include "renderer/picture/svg.h"
 
 namespace gbl {
 namespace {
@@ -16,12 +17,6 @@ struct Cell {
   std::string name;
   int bits;
 };
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
-}
 
 // Bits of one field that lie side by side, in the order in which they lie.
 std::vector<Cell> cells_of(const Settings& s, const Attachment& a) {
@@ -69,25 +64,23 @@ std::string packing_svg(const Settings& s, const std::string& title) {
   for (const Attachment& a : shown) {
     body += fmt::format(
         "<text x=\"10\" y=\"{}\">{}</text><text x=\"{}\" y=\"{}\" text-anchor=\"end\" fill=\"#555\">{} · {} B</text>\n",
-        y + 21, escaped(a.name), kLeft - 10, y + 21, row(a.format).label, row(a.format).bytes);
+        y + 21, svg_escaped(a.name), kLeft - 10, y + 21, row(a.format).label, row(a.format).bytes);
     double x = kLeft;
     for (const Cell& c : cells_of(s, a)) {
       const double width = double(kWidth) * c.bits / most;
       body += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"#e8eef7\" stroke=\"#335\"/>"
           "<text x=\"{:.1f}\" y=\"{}\"><tspan font-weight=\"bold\">{}</tspan> {}</text>\n",
-          x, y, width, kCell, x + std::min(6.0, width / 5), y + 18, escaped(name_in(c, width)), c.bits);
+          x, y, width, kCell, x + std::min(6.0, width / 5), y + 18, svg_escaped(name_in(c, width)), c.bits);
       x += width;
     }
     body += fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" fill=\"#333\">{}</text>\n", kLeft, y + kCell + 13,
-                        escaped(a.contents));
+                        svg_escaped(a.contents));
     y += kRow;
   }
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-      "<text x=\"10\" y=\"24\" font-size=\"16\">{2}: {3} bytes per pixel</text>\n{4}</svg>\n",
-      kLeft + kWidth + 10, y + 8, escaped(title), gbuffer_bytes_per_pixel(s), body);
+  const std::string head = svg_text({10, 24}, fmt::format("{}: {} bytes per pixel", title, gbuffer_bytes_per_pixel(s)),
+                                    SvgAnchor::start, 16);
+  return svg_page({kLeft + kWidth + 10, y + 8}, head + body);
 }
 
 }  // namespace gbl

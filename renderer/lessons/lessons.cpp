@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 
 #include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/resources.h"
 #include "renderer/inspect/views.h"
@@ -48,8 +50,17 @@ bool large_layout(const Json& node, std::string_view where) {
   throw Error(ExitCode::bad_input, where, fmt::format("unknown layout '{}'", layout), "known: mosaic, large");
 }
 
+double minutes_of(const Json& node, std::string_view where) {
+  if (!node.contains("minutes")) return 1;
+  const Json& minutes = node["minutes"];
+  if (!minutes.is_number() || !(minutes.get<double>() > 0 && minutes.get<double>() <= 90))
+    throw Error(ExitCode::bad_input, where,
+                fmt::format("\"minutes\" is {}, not a number above 0 and up to 90", minutes.dump()));
+  return minutes.get<double>();
+}
+
 LessonStep parse_step(const Json& node, std::string_view where) {
-  only_members(node, {"say", "set", "view", "layout", "question", "answer"}, where);
+  only_members(node, {"say", "set", "view", "layout", "question", "answer", "minutes"}, where);
   LessonStep step;
   step.say = needed_text_member(node, "say", where);
   if (node.contains("set")) step.set = read_patch(node["set"], where);
@@ -60,6 +71,7 @@ LessonStep parse_step(const Json& node, std::string_view where) {
   step.answer = text_member(node, "answer", where);
   if (step.question.empty() != step.answer.empty())
     throw Error(ExitCode::bad_input, where, "\"question\" and \"answer\" must come together");
+  step.minutes = minutes_of(node, where);
   return step;
 }
 
@@ -74,17 +86,17 @@ std::vector<std::string> lesson_ids() {
   return ids;
 }
 
-Lesson load_lesson(std::string_view id) {
+Lesson load_lesson(const std::string& name) {
   const std::vector<std::string> ids = lesson_ids();
-  if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
-    const std::vector<std::string_view> known(ids.begin(), ids.end());
-    throw Error(ExitCode::bad_input, "--lesson", fmt::format("unknown lesson '{}'", id), suggest(id, known));
-  }
-  return parse_lesson(id, resource(file_name(id)));
+  if (std::find(ids.begin(), ids.end(), name) != ids.end()) return parse_lesson(name, resource(file_name(name)));
+  if (const std::filesystem::path path = name; std::filesystem::is_regular_file(path))
+    return parse_lesson(path.stem().string(), read_text_file(path), name);
+  const std::vector<std::string_view> known(ids.begin(), ids.end());
+  throw Error(ExitCode::bad_input, "--lesson", fmt::format("unknown lesson '{}'", name), suggest(name, known));
 }
 
-Lesson parse_lesson(std::string_view id, std::string_view json_text) {
-  const std::string where = file_name(id);
+Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string_view file) {
+  const std::string where = file.empty() ? file_name(id) : std::string(file);
   const Json json = parse_json(json_text, where);
   if (!json.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");
   check_file_version(json, kLessonVersion, "lesson", where);  // first: a newer file's members would be called misspelt

@@ -1,7 +1,7 @@
 #pragma once
 // Lessons: data (assets/lessons/*.json) that the window steps through and that scripts and handouts are printed from.
 //   {"version": 1, "order": 2, "title": "…", "preset": "start", "steps": [{"say": "…", "set": {"lights.cull": "back"},
-//    "view": "final", "layout": "mosaic" | "large", "question": "…", "answer": "…"}]}
+//    "view": "final", "layout": "mosaic" | "large", "question": "…", "answer": "…", "minutes": 1}]}
 // A step's settings are the preset's with the patches of steps 0…k applied in order: a step is a pure function of
 // the file, so stepping back gives exactly what was seen.
 #include <string>
@@ -19,6 +19,7 @@ struct LessonStep {
   bool large = false;           // the view alone, else the mosaic
   std::string question;         // may be empty
   std::string answer;           // revealed by Enter
+  double minutes = 1;           // that a lecturer spends on it
 };
 
 struct Lesson {
@@ -29,8 +30,9 @@ struct Lesson {
 };
 
 std::vector<std::string> lesson_ids();    // as they are taught: by their "order", then by name
-Lesson load_lesson(std::string_view id);  // Error with the known ones; every step's patch has been tried
-Lesson parse_lesson(std::string_view id, std::string_view json_text);
+// One of these, or else a file. Error with the known ones; every step's patch has been tried.
+Lesson load_lesson(const std::string& id_or_file);
+Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string_view where = {});  // where: for messages
 
 Settings settings_at(const Lesson&, size_t step);
 

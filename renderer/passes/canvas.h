@@ -9,6 +9,7 @@ struct Canvas {
   gl::Framebuffer framebuffer;
 };
 Canvas make_canvas(const gl::TextureDesc&, const gl::Texture* depth = nullptr);
-Canvas copied(const Canvas&);  // keeps a picture that the next draw would overwrite
+// Keeps a picture that the next draw would overwrite. squares: its pixels, where they are magnified; else smooth
+Canvas copied(const Canvas&, bool squares = false);
 
 }  // namespace gbl

@@ -20,8 +20,8 @@ Canvas make_canvas(const gl::TextureDesc& desc, const gl::Texture* depth) {
   return c;
 }
 
-Canvas copied(const Canvas& from) {
-  Canvas to = make_canvas({.size = from.texture.size, .linear_filter = true, .label = "copy"});
+Canvas copied(const Canvas& from, bool squares) {
+  Canvas to = make_canvas({.size = from.texture.size, .linear_filter = !squares, .label = "copy"});
   const auto [w, h] = std::pair(from.texture.size.x, from.texture.size.y);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer.id());

@@ -1,6 +1,7 @@
 #include "renderer/picture/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csetjmp>
 #include <cstdio>
@@ -10,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/picture/palette.h"
 
 namespace gbl {
 namespace {
@@ -24,22 +26,16 @@ using File = std::unique_ptr<std::FILE, Closer>;
 [[noreturn]] void on_png_error(png_structp, png_const_charp message) { throw std::runtime_error(message); }
 void on_png_warning(png_structp, png_const_charp) {}
 
-// row(y) gives the bytes of a line, three channels a pixel, the high byte first.
-template <class Row>
-void encode_png(std::FILE* file, glm::ivec2 size, int bits, const PngText& texts, Row row) {
-  struct Writer {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_png_error, on_png_warning);
-    png_infop info = png_create_info_struct(png);
-    ~Writer() { png_destroy_write_struct(&png, &info); }
-  } writer;
-  const png_structp png = writer.png;
-  const png_infop info = writer.info;
-  png_init_io(png, file);
-  const auto width = static_cast<png_uint_32>(size.x), height = static_cast<png_uint_32>(size.y);
-  png_set_IHDR(png, info, width, height, bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-               PNG_FILTER_TYPE_DEFAULT);
-  png_set_compression_level(png, 2);  // a third of the default's time for a tenth more bytes
-  png_set_filter(png, 0, PNG_FILTER_SUB);
+// What is said of a picture beside its pixels.
+struct PngHead {
+  glm::ivec2 size;
+  int bits = 8;  // a channel, or an index
+  const PngText& texts;
+  double pixels_per_cm = 0;
+  const std::vector<std::array<uint8_t, 3>>* palette = nullptr;  // null: three channels a pixel
+};
+
+void set_texts(png_structp png, png_infop info, const PngText& texts) {
   std::vector<png_text> chunks;
   for (const auto& [key, text] : texts) {
     png_text chunk{};  // tEXt is Latin-1, iTXt is UTF-8
@@ -50,6 +46,41 @@ void encode_png(std::FILE* file, glm::ivec2 size, int bits, const PngText& texts
     chunks.push_back(chunk);
   }
   if (!chunks.empty()) png_set_text(png, info, chunks.data(), static_cast<int>(chunks.size()));
+}
+
+void set_palette(png_structp png, png_infop info, const std::vector<std::array<uint8_t, 3>>& palette) {
+  std::vector<png_color> colours;
+  for (const auto& c : palette) colours.push_back({c[0], c[1], c[2]});
+  png_set_PLTE(png, info, colours.data(), static_cast<int>(colours.size()));
+}
+
+// row(y) gives the bytes of a line, three channels or one index a pixel, the high byte first.
+template <class Row>
+void encode_png(std::FILE* file, const PngHead& head, Row row) {
+  struct Writer {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_png_error, on_png_warning);
+    png_infop info = png_create_info_struct(png);
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+  } writer;
+  const png_structp png = writer.png;
+  const png_infop info = writer.info;
+  png_init_io(png, file);
+  const auto width = static_cast<png_uint_32>(head.size.x), height = static_cast<png_uint_32>(head.size.y);
+  png_set_IHDR(png, info, width, height, head.bits, head.palette ? PNG_COLOR_TYPE_PALETTE : PNG_COLOR_TYPE_RGB,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (head.palette) {
+    set_palette(png, info, *head.palette);
+    png_set_compression_level(png, 9);
+    png_set_filter(png, 0, PNG_FILTER_NONE);  // neighbouring indices say nothing of each other
+  } else {
+    png_set_compression_level(png, 2);  // a third of the default's time for a tenth more bytes
+    png_set_filter(png, 0, PNG_FILTER_SUB);
+  }
+  if (head.pixels_per_cm > 0) {
+    const auto per_metre = static_cast<png_uint_32>(std::lround(100 * head.pixels_per_cm));
+    png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
+  }
+  set_texts(png, info, head.texts);
   png_write_info(png, info);
   for (png_uint_32 y = 0; y < height; ++y) png_write_row(png, row(static_cast<size_t>(y)));
   png_write_end(png, info);
@@ -84,7 +115,7 @@ Image image_from_gl_rows(glm::ivec2 size, std::vector<uint8_t> rgba) {
   return {size, std::move(rgba)};
 }
 
-void write_png(const fs::path& path, const Image& image, const PngText& texts) {
+void write_png(const fs::path& path, const Image& image, const PngText& texts, double pixels_per_cm) {
   const auto width = static_cast<size_t>(image.size.x);
   std::vector<uint8_t> line(3 * width);
   const auto row = [&](size_t y) {
@@ -92,7 +123,13 @@ void write_png(const fs::path& path, const Image& image, const PngText& texts) {
     for (size_t x = 0; x < width; ++x) std::memcpy(&line[3 * x], from + 4 * x, 3);
     return line.data();
   };
-  write_file(path, [&](std::FILE* file) { encode_png(file, image.size, 8, texts, row); });
+  write_file(path, [&](std::FILE* file) { encode_png(file, {image.size, 8, texts, pixels_per_cm}, row); });
+}
+
+void write_indexed_png(const fs::path& path, const Image& image, const PngText& texts, double pixels_per_cm) {
+  IndexedImage few = indexed(image);
+  const auto row = [&](size_t y) { return &few.index[y * static_cast<size_t>(few.size.x)]; };
+  write_file(path, [&](std::FILE* file) { encode_png(file, {few.size, 8, texts, pixels_per_cm, &few.palette}, row); });
 }
 
 void write_png16(const fs::path& path, glm::ivec2 size, const std::vector<glm::vec3>& rgb, const PngText& texts) {
@@ -107,7 +144,7 @@ void write_png16(const fs::path& path, glm::ivec2 size, const std::vector<glm::v
     }
     return line.data();
   };
-  write_file(path, [&](std::FILE* file) { encode_png(file, size, 16, texts, row); });
+  write_file(path, [&](std::FILE* file) { encode_png(file, {size, 16, texts}, row); });
 }
 
 Image read_png(const fs::path& path) {

@@ -69,6 +69,7 @@ const char* const kRooms[] = {
     "renderer/lessons",
     "renderer/truth",
     "renderer/opening",
+    "renderer/figures",
     "renderer/study/rows",
     "renderer/study/charts",
     "renderer/study",

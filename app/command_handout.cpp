@@ -1,0 +1,68 @@
+// `handout`: a lesson as Markdown and as a page to print, with a figure for each step; or the lecturer's script.
+#include <filesystem>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/figure_sets.h"
+#include "app/figure_writer.h"
+#include "app/headless.h"
+#include "app/picture_texts.h"
+#include "renderer/base/files.h"
+#include "renderer/figures/handout.h"
+#include "renderer/inspect/views.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string look_at(const FigureSpec& f) {
+  std::string text;
+  for (const FigurePanel& p : f.panels) {
+    const ViewRow& v = row(view_by_id(p.view).view);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : " ", v.label, v.sentence);
+  }
+  return text;
+}
+
+// Its picture keeps the step's settings: the window opens them.
+HandoutFigure made_figure(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine) {
+  const fs::path path = folder / (f.id + ".png");
+  const Image image = maker.picture(f);
+  const std::string command = fmt::format("gbufferlab view --state {}", shell_quoted(path.filename().string()));
+  PngText texts = picture_texts("gbufferlab view", maker.settings(), machine);
+  texts.push_back({kFigureKey, f.json + "\n"});
+  write_indexed_png(path, image, texts);
+  HandoutFigure out{{f.id, path.filename().string(), f.title, f.caption, alt_text(f), "", command, texts[1].second, 0},
+                    look_at(f),
+                    ""};
+  out.png = read_text_file(path);
+  return out;
+}
+
+}  // namespace
+
+ExitCode run_handout(const Arguments& a) {
+  const Lesson lesson = load_lesson(a.what);
+  const fs::path folder = a.output.value_or(fs::path("out") / "handout");
+  make_folder(folder);
+  if (a.script) {
+    const fs::path path = folder / (lesson.id + "-script.md");
+    write_text_file(path, lecture_script(lesson));
+    fmt::print("{}\n", path.string());
+    return ExitCode::done;
+  }
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  FigureMaker maker(lab, {.light = true});
+  const FigureSet set = figures_of(lesson);
+  for (const FigureSpec& f : set.figures) maker.check(f);
+  std::vector<HandoutFigure> figures;
+  for (const FigureSpec& f : set.figures) figures.push_back(made_figure(folder, f, maker, lab.machine()));
+  write_text_file(folder / (lesson.id + ".md"), handout_markdown(lesson, figures));
+  write_text_file(folder / (lesson.id + ".html"), handout_html(lesson, figures));
+  fmt::print("{}.md and .html with {} figures in {}\n", lesson.id, figures.size(), folder.string());
+  return ExitCode::done;
+}
+
+}  // namespace gbl

@@ -1,0 +1,128 @@
+#include "app/figure_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "app/picture_texts.h"
+#include "renderer/base/external_program.h"
+#include "renderer/base/files.h"
+#include "renderer/base/json.h"
+#include "renderer/base/made_by.h"
+#include "renderer/picture/palette.h"
+#include "renderer/picture/picture_difference.h"
+
+namespace gbl {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Codes of 255, in the mean over squares of so many pixels: what has moved or changed its colour is further off, what another driver
+// rounds otherwise is not.
+constexpr double kSameWithin = 6;
+constexpr int kSquare = 16;
+
+FigureWords words_of(const FigureSpec& f, const std::string& file, const std::string& made, const FigureOptions& o) {
+  const std::string panels = panel_words(f);
+  return {.id = f.id,
+          .file = file,
+          .title = f.title,
+          .caption = panels.empty() ? f.caption : f.caption + " " + panels,
+          .alt = alt_text(f),
+          .source = f.source,
+          .command = figure_command(f, o),
+          .made_by = made,
+          .width_cm = o.look.width_cm};
+}
+
+void write_picture(const fs::path& path, const Image& image, const PngText& texts, const FigureOptions& o) {
+  const double density = pixels_per_cm(image, o.look);
+  o.few_colours ? write_indexed_png(path, image, texts, density) : write_png(path, image, texts, density);
+}
+
+PngText texts_of(const FigureSpec& f, const Settings& s, const Machine& machine, const FigureOptions& o) {
+  PngText texts = picture_texts("gbufferlab render", s, machine);
+  texts.back().second = figure_command(f, o);
+  texts.push_back({kFigureKey, f.json + "\n"});
+  texts.push_back({"Title", f.title});
+  texts.push_back({"Description", alt_text(f)});
+  return texts;
+}
+
+// Numbered pictures; returns the file that a document shows.
+std::string write_frames(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine,
+                         const FigureOptions& o) {
+  const fs::path numbered = folder / f.id;
+  make_folder(numbered);
+  std::vector<std::string> arguments{"-delay", fmt::format("{:.0f}", 100 / f.frames->per_second), "-loop", "0"};
+  for (int k = 0; k < f.frames->count; ++k) {
+    const Image image = maker.picture(f, double(k) / (f.frames->count - 1));
+    const fs::path path = numbered / fmt::format("{:04}.png", k + 1);
+    write_picture(path, image, texts_of(f, maker.settings(), machine, o), o);
+    arguments.push_back(path.string());
+  }
+  const std::string gif = (folder / (f.id + ".gif")).string();
+  arguments.push_back(gif);
+  if (run_program_if_there("convert", arguments)) return f.id + ".gif";
+  fmt::print(stderr, "gbufferlab: {}: ImageMagick is not installed, so the frames were not joined to a GIF\n", f.id);
+  return f.id + "/0001.png";
+}
+
+}  // namespace
+
+void write_words(const fs::path& folder, const FigureWords& words) {
+  write_text_file(folder / (words.id + ".md"), markdown_caption(words));
+  write_text_file(folder / (words.id + ".tex"), latex_caption(words));
+}
+
+std::string figure_command(const FigureSpec& f, const FigureOptions& o) {
+  std::string line = fmt::format("gbufferlab figures {} --only {}", shell_quoted(o.set), f.id);
+  if (o.look.width_cm > 0) line += fmt::format(" --width-cm {:g}", o.look.width_cm);
+  if (o.look.scale != 1) line += fmt::format(" --scale {:g}", o.look.scale);
+  if (o.look.light) line += " --light";
+  if (o.look.grey) line += " --grey";
+  return line;
+}
+
+FigureWords write_figure(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine,
+                         const FigureOptions& o) {
+  const std::string made = fmt::format("{} on {}", made_by(), machine.device);
+  std::string file = f.id + (f.drawing.empty() ? ".png" : ".svg");
+  if (!f.drawing.empty()) {
+    const PngText texts = {{kFigureKey, f.json}, {kCommandKey, figure_command(f, o)}, {kVersionKey, made_by()}};
+    write_text_file(folder / file, drawing_svg(f, texts));
+  } else if (f.frames) {
+    file = write_frames(folder, f, maker, machine, o);
+  } else {
+    const Image image = maker.picture(f);
+    write_picture(folder / file, image, texts_of(f, maker.settings(), machine, o), o);
+  }
+  if (o.numbers && !f.panels.empty()) maker.write_numbers(f, folder / f.id, texts_of(f, maker.settings(), machine, o));
+  const FigureWords words = words_of(f, file, made, o);
+  if (!o.pictures_only) write_words(folder, words);
+  return words;
+}
+
+void write_captions(const fs::path& folder, const std::string& title, const std::vector<FigureWords>& all) {
+  Json figures = Json::array();
+  for (const FigureWords& w : all) figures.push_back(caption_json(w));
+  write_text_file(folder / "captions.json",
+                  Json{{"version", 1}, {"title", title}, {"figures", figures}}.dump(2) + "\n");
+}
+
+std::string why_outdated(const fs::path& path, const FigureSpec& f, FigureMaker& maker) {
+  if (!fs::exists(path)) return "is missing";
+  if (!f.drawing.empty()) {
+    const std::string now = drawing_svg(f, {});
+    const auto drawn = [](const std::string& svg) { return svg.substr(svg.find("<rect")); };
+    return drawn(read_text_file(path)) == drawn(now) ? "" : "is drawn otherwise now";
+  }
+  const Image old = read_png(path), now = maker.picture(f);
+  if (old.size != now.size)
+    return fmt::format("is {} x {}, and now it would be {} x {}", old.size.x, old.size.y, now.size.x, now.size.y);
+  const double off = std::min(largest_square_difference(old, now, kSquare),
+                              largest_square_difference(old, expanded(indexed(now)), kSquare));  // either may be kept
+  return off <= kSameWithin ? "" : fmt::format("is off by {:.0f} codes of 255 somewhere", off);
+}
+
+}  // namespace gbl
