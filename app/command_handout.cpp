@@ -16,26 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string look_at(const FigureSpec& f) {
-  std::string text;
-  for (const FigurePanel& p : f.panels) {
-    const ViewRow& v = row(view_by_id(p.view).view);
-    text += fmt::format("{}{}: {}", text.empty() ? "" : " ", v.label, v.sentence);
-  }
-  return text;
+// The view that the step is about: of a mosaic the one that is marked.
+std::string look_at(const Lesson& lesson, size_t step) {
+  std::string id = "final";
+  for (size_t k = 0; k <= step; ++k)
+    if (!lesson.steps[k].view.empty()) id = lesson.steps[k].view;
+  const ViewRow& v = row(view_by_id(id).view);
+  return fmt::format("Look at {}. {}", v.label, v.sentence);
 }
 
 // Its picture keeps the step's settings: the window opens them.
-HandoutFigure made_figure(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine) {
+HandoutFigure made_figure(const fs::path& folder, const FigureSpec& f, const std::string& look, FigureMaker& maker,
+                          const Machine& machine) {
   const fs::path path = folder / (f.id + ".png");
   const Image image = maker.picture(f);
   const std::string command = fmt::format("gbufferlab view --state {}", shell_quoted(path.filename().string()));
   PngText texts = picture_texts("gbufferlab view", maker.settings(), machine);
   texts.push_back({kFigureKey, f.json + "\n"});
   write_indexed_png(path, image, texts);
-  HandoutFigure out{{f.id, path.filename().string(), f.title, f.caption, alt_text(f), "", command, texts[1].second, 0},
-                    look_at(f),
-                    ""};
+  HandoutFigure out{
+      {f.id, path.filename().string(), f.title, f.caption, alt_text(f), "", command, texts[1].second, 0}, look, ""};
   out.png = read_text_file(path);
   return out;
 }
@@ -58,7 +58,8 @@ ExitCode run_handout(const Arguments& a) {
   const FigureSet set = figures_of(lesson);
   for (const FigureSpec& f : set.figures) maker.check(f);
   std::vector<HandoutFigure> figures;
-  for (const FigureSpec& f : set.figures) figures.push_back(made_figure(folder, f, maker, lab.machine()));
+  for (size_t k = 0; k < set.figures.size(); ++k)
+    figures.push_back(made_figure(folder, set.figures[k], look_at(lesson, k), maker, lab.machine()));
   write_text_file(folder / (lesson.id + ".md"), handout_markdown(lesson, figures));
   write_text_file(folder / (lesson.id + ".html"), handout_html(lesson, figures));
   fmt::print("{}.md and .html with {} figures in {}\n", lesson.id, figures.size(), folder.string());

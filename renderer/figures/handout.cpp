@@ -49,14 +49,17 @@ bool asks_anything(const Lesson& lesson) {
   return false;
 }
 
-// What the step changes, by the keys that change it, too.
+// What the step changes, by the keys that change it, too. A place is not found by hand.
 std::string by_hand(const LessonStep& step) {
   std::string out;
+  bool moved = false;
   for (const Assignment& a : step.set) {
     const Option& o = option(a.path);
-    const std::string how = *o.key ? fmt::format("`{}`", o.key) : std::string("`O`");
-    out += fmt::format("{}{} until {} is {}", out.empty() ? "" : "; ", how, o.label, plain(a.value));
+    moved |= a.path.starts_with("camera.");
+    if (o.kind == Kind::vector || a.path.starts_with("camera.")) continue;
+    out += fmt::format("{}`{}` {}: {}", out.empty() ? "" : "; ", *o.key ? o.key : "O", o.label, plain(a.value));
   }
+  if (moved) out += out.empty() ? "the camera moves" : "; the camera moves";
   return out;
 }
 
@@ -110,7 +113,8 @@ std::string lecture_script(const Lesson& lesson) {
       "--present\n```\n\n"
       "`PgDn` goes on, `PgUp` goes back, `Enter` shows the answer. `F9` points with a ring, `F10` shows the time. "
       "`Ctrl+Shift+P` brings the "
-      "other panels. The column *by hand* names keys that do the same without the lesson; `O` lists all options.\n",
+      "other panels. *By hand* names the keys that do the same without the lesson: the key goes through an option's "
+      "values, and `O` lists all options.\n",
       lesson.title, lesson.steps.size(), all, lesson.id);
   double at = 0;
   for (size_t k = 0; k < lesson.steps.size(); ++k) {

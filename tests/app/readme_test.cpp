@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/docs_pages.h"
+#include "renderer/figures/handout.h"
 #include "renderer/study/pitfalls/pages.h"
 #include "tests/test_paths.h"
 
@@ -30,6 +31,11 @@ TEST(Documents, EveryTableIsWhatTheProgramPrints) {
   }
   for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() / "docs/tables"))
     EXPECT_TRUE(written.count(entry.path().filename().string())) << entry.path() << " belongs to no page";
+}
+
+TEST(Documents, TheLectureIsPrintedFromItsLesson) {
+  EXPECT_EQ(text_of("docs/lecture.md"), lecture_script(load_lesson("ten-minutes")))
+      << "run: gbufferlab handout ten-minutes --script -o docs, and rename it";
 }
 
 // Without what was measured: numbers, and where.

@@ -108,7 +108,7 @@ TEST(Handout, TheScriptSaysWhatToPressAndWhen) {
   EXPECT_TRUE(has(script, "gbufferlab view --lesson three-ways-to-lose-a-light"));
   EXPECT_TRUE(has(script, "`PgDn`"));
   EXPECT_TRUE(has(script, "## 2. At 1:00")) << script.substr(0, 900);
-  EXPECT_TRUE(has(script, "`C` until Cull is flip")) << "by hand";
+  EXPECT_TRUE(has(script, "`C` Cull: flip")) << "by hand";
 }
 
 }  // namespace

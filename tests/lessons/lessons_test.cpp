@@ -18,7 +18,8 @@ namespace {
 TEST(Lessons, ThoseOfTheLabAreThere) {
   EXPECT_EQ(lesson_ids(), (std::vector<std::string>{"what-is-in-a-g-buffer", "three-ways-to-lose-a-light",
                                                     "learnopengl-in-three-stages", "where-is-the-light-blocked",
-                                                    "a-mirror-is-another-frame"}))
+                                                    "a-mirror-is-another-frame", "what-does-a-normal-cost",
+                                                    "where-depth-precision-goes", "ten-minutes"}))
       << "as they are taught";
   const Lesson g_buffer = load_lesson("what-is-in-a-g-buffer");
   EXPECT_EQ(g_buffer.title, "What is in a G-buffer");
@@ -29,6 +30,34 @@ TEST(Lessons, ThoseOfTheLabAreThere) {
   EXPECT_EQ(load_lesson("learnopengl-in-three-stages").steps.size(), 5u);
   EXPECT_EQ(load_lesson("where-is-the-light-blocked").steps.size(), 8u);
   EXPECT_EQ(load_lesson("a-mirror-is-another-frame").steps.size(), 6u);
+}
+
+// A lecture of ten minutes.
+TEST(Lessons, TheLectureTakesTenMinutes) {
+  double minutes = 0;
+  for (const LessonStep& step : load_lesson("ten-minutes").steps) minutes += step.minutes;
+  EXPECT_EQ(minutes, 10);
+}
+
+// "Half of the codes at 2 units", "0.06 at 1000 units, and 6 at 10000".
+TEST(Lessons, StepsOfStoredDepthAreAsTheySay) {
+  const Camera c = settings_at(load_lesson("where-depth-precision-goes"), 0).camera;
+  EXPECT_NEAR(range_from_depth(c, 0.5), 2, 0.001);
+  const auto step = [&](double range) {
+    const double d = depth_from_range(c, range), code = std::exp2(-24);
+    return range_from_depth(c, std::min(d + code / 2, 1.0)) - range_from_depth(c, d - code / 2);
+  };
+  EXPECT_NEAR(step(1000), 0.06, 0.002);
+  EXPECT_NEAR(step(9990), 6, 0.2);
+}
+
+// "Of eighty codes only about one lies near the sphere": those within half a step of it, of 255^3.
+TEST(Lessons, FewCodesOfThreeBytesAreDirections) {
+  int near = 0;
+  for (int x = 0; x < 256; ++x)
+    for (int y = 0; y < 256; ++y)
+      for (int z = 0; z < 256; ++z) near += std::abs(glm::length(glm::dvec3(x, y, z) - 127.5) - 127.5) < 0.5;
+  EXPECT_NEAR(256.0 * 256 * 256 / near, 80, 5);
 }
 
 // "Ten maps for three lights": three of the sun, six of the lamp, one of the spot.

@@ -7,6 +7,7 @@
 #include "renderer/lessons/lessons.h"
 #include "tests/ui/ui_desk.h"
 #include "ui/camera_motion.h"
+#include "ui/sheet.h"
 
 namespace gbl::ui {
 namespace {
@@ -419,15 +420,12 @@ TEST(Pages, EveryViewThatIsStoredHasAPlaceOnOne) {
 
 TEST(Sheets, AreAsLargeAsTheirTilesAndGrowWithCaptions) {
   Desk desk;
-  Sheet sheet{.title = "Title",
-              .caption = "",
-              .tiles = {{View::final, {}, ""}, {View::depth, {}, ""}},
-              .columns = 2,
-              .tile_width = 480};
-  const glm::ivec2 bare = sheet_size(sheet, desk.settings);
+  Sheet sheet{.title = "Title", .columns = 2, .tile_width = 480};
+  for (const View v : {View::final, View::depth}) sheet.tiles.push_back(SheetTile{v, {}, desk.settings, {}, {}});
+  const glm::ivec2 bare = sheet_size(sheet);
   EXPECT_EQ(bare.x, 2 * 480 + 12 + 2 * 16);
   sheet.tiles[1].caption = "a caption below the picture";
-  EXPECT_GT(sheet_size(sheet, desk.settings).y, bare.y);
+  EXPECT_GT(sheet_size(sheet).y, bare.y);
 }
 
 }  // namespace
