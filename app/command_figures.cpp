@@ -33,12 +33,29 @@ std::vector<FigureSpec> chosen(const FigureSet& set, const std::string& only) {
   return out;
 }
 
-void print_sets() {
-  for (const FigureSetRow& r : figure_sets()) fmt::print("{:<12} {}\n", r.name, r.title);
+// A name and a title each: of sets, or of a set's figures.
+using Named = std::vector<std::pair<std::string, std::string>>;
+
+void print_names(const Named& rows, bool json) {
+  Json out = Json::array();
+  for (const auto& [name, title] : rows)
+    if (json)
+      out.push_back({{"id", name}, {"title", title}});
+    else
+      fmt::print("{:<28} {}\n", name, title);
+  if (json) fmt::print("{}\n", out.dump(2));
 }
 
-void print_figures(const FigureSet& set) {
-  for (const FigureSpec& f : set.figures) fmt::print("{:<28} {}\n", f.id, f.title);
+Named names_of_sets() {
+  Named out;
+  for (const FigureSetRow& r : figure_sets()) out.emplace_back(r.name, r.title);
+  return out;
+}
+
+Named names_of(const std::vector<FigureSpec>& figures) {
+  Named out;
+  for (const FigureSpec& f : figures) out.emplace_back(f.id, f.title);
+  return out;
 }
 
 // On a terminal one line that is written over.
@@ -63,32 +80,35 @@ class Progress {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-ExitCode check_folder(const fs::path& folder, const std::vector<FigureSpec>& figures, FigureMaker& maker) {
-  bool current = true;
+ExitCode check_folder(const fs::path& folder, const std::vector<FigureSpec>& figures, FigureMaker& maker, bool json) {
+  Json outdated = Json::array();
   Progress progress(figures.size());
   for (const FigureSpec& f : figures) {
     progress.next(f.id);
     const fs::path path = folder / (f.id + (f.drawing.empty() ? ".png" : ".svg"));
     const std::string why = why_outdated(path, f, maker);
     if (why.empty()) continue;
-    fmt::print("out of date: {} {}\n", path.string(), why);
-    current = false;
+    outdated.push_back({{"file", path.string()}, {"why", why}});
+    if (!json) fmt::print("out of date: {} {}\n", path.string(), why);
   }
-  if (current) fmt::print("{}: {} pictures show what they would show now\n", folder.string(), figures.size());
-  return current ? ExitCode::done : ExitCode::check_failed;
+  if (json)
+    fmt::print("{}\n", outdated.dump(2));
+  else if (outdated.empty())
+    fmt::print("{}: {} pictures show what they would show now\n", folder.string(), figures.size());
+  return outdated.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
 }  // namespace
 
 ExitCode run_figures(const Arguments& a) {
   if (a.what.empty()) {
-    print_sets();
+    print_names(names_of_sets(), a.json);
     return ExitCode::done;
   }
   const FigureSet set = figures_named(a.what);
   const std::vector<FigureSpec> figures = chosen(set, a.only);
   if (a.list) {
-    print_figures(set);
+    print_names(names_of(figures), a.json);
     return ExitCode::done;
   }
   const FigureOptions options{
@@ -97,7 +117,7 @@ ExitCode run_figures(const Arguments& a) {
   Lab lab(without_of(a));
   FigureMaker maker(lab, options.look);
   for (const FigureSpec& f : figures) maker.check(f);  // before anything is written
-  if (a.check) return check_folder(*a.check, figures, maker);
+  if (a.check) return check_folder(*a.check, figures, maker, a.json);
   const fs::path folder = a.output.value_or(fs::path("out") / "figures" / fs::path(set.name).stem());
   make_folder(folder);
   std::vector<FigureWords> words;

@@ -8,6 +8,7 @@
 #include "app/headless.h"
 #include "app/picture_texts.h"
 #include "renderer/base/files.h"
+#include "renderer/base/json.h"
 #include "renderer/figures/handout.h"
 #include "renderer/inspect/views.h"
 
@@ -40,6 +41,16 @@ HandoutFigure made_figure(const fs::path& folder, const FigureSpec& f, const std
   return out;
 }
 
+ExitCode say_written(const Arguments& a, const Lesson& lesson, const std::vector<fs::path>& files) {
+  Json names = Json::array();
+  for (const fs::path& f : files) names.push_back(f.string());
+  if (a.json)
+    fmt::print("{}\n", Json{{"lesson", lesson.id}, {"files", names}}.dump(2));
+  else
+    for (const fs::path& f : files) fmt::print("{}\n", f.string());
+  return ExitCode::done;
+}
+
 }  // namespace
 
 ExitCode run_handout(const Arguments& a) {
@@ -49,8 +60,7 @@ ExitCode run_handout(const Arguments& a) {
   if (a.script) {
     const fs::path path = folder / (lesson.id + "-script.md");
     write_text_file(path, lecture_script(lesson));
-    fmt::print("{}\n", path.string());
-    return ExitCode::done;
+    return say_written(a, lesson, {path});
   }
   const HeadlessContext context;
   Lab lab(without_of(a));
@@ -60,10 +70,10 @@ ExitCode run_handout(const Arguments& a) {
   std::vector<HandoutFigure> figures;
   for (size_t k = 0; k < set.figures.size(); ++k)
     figures.push_back(made_figure(folder, set.figures[k], look_at(lesson, k), maker, lab.machine()));
-  write_text_file(folder / (lesson.id + ".md"), handout_markdown(lesson, figures));
-  write_text_file(folder / (lesson.id + ".html"), handout_html(lesson, figures));
-  fmt::print("{}.md and .html with {} figures in {}\n", lesson.id, figures.size(), folder.string());
-  return ExitCode::done;
+  const std::vector<fs::path> files = {folder / (lesson.id + ".md"), folder / (lesson.id + ".html")};
+  write_text_file(files[0], handout_markdown(lesson, figures));
+  write_text_file(files[1], handout_html(lesson, figures));
+  return say_written(a, lesson, files);
 }
 
 }  // namespace gbl

@@ -92,7 +92,7 @@ Lesson load_lesson(const std::string& name) {
   if (const std::filesystem::path path = name; std::filesystem::is_regular_file(path))
     return parse_lesson(path.stem().string(), read_text_file(path), name);
   const std::vector<std::string_view> known(ids.begin(), ids.end());
-  throw Error(ExitCode::bad_input, "--lesson", fmt::format("unknown lesson '{}'", name), suggest(name, known));
+  throw Error(ExitCode::bad_input, "lesson", fmt::format("unknown lesson '{}'", name), suggest(name, known));
 }
 
 Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string_view file) {
