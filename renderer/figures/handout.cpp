@@ -69,6 +69,21 @@ double minutes_of(const Lesson& lesson) {
   return sum;
 }
 
+// What the lecturer prints and hands out.
+std::string for_the_class(const Lesson& lesson) {
+  std::string out = fmt::format(
+      "\n## For the class\n\nThe handout, with figures, questions and the answers on its last page; and figures for "
+      "notes of your own:\n\n"
+      "```\ngbufferlab handout {} -o out/handout\ngbufferlab figures sources -o out/figures\n```\n",
+      lesson.id);
+  if (lesson.exercises.empty()) return out;
+  out += "\nExercises that go with it. Each writes its task and what to begin with:\n\n```\n";
+  for (const std::string& e : lesson.exercises) out += fmt::format("gbufferlab exercise {} -o out/exercises\n", e);
+  return out +
+         "gbufferlab exercise --grade answers --csv\n```\n\nThe last line checks the answers of the class, a folder "
+         "for each student.\n";
+}
+
 }  // namespace
 
 std::string handout_markdown(const Lesson& lesson, const std::vector<HandoutFigure>& figures) {
@@ -127,7 +142,7 @@ std::string lecture_script(const Lesson& lesson) {
     if (const std::string keys = by_hand(step); !keys.empty()) out += fmt::format("- By hand: {}\n", keys);
     at += step.minutes;
   }
-  return out;
+  return out + for_the_class(lesson);
 }
 
 }  // namespace gbl

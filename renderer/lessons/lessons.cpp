@@ -50,6 +50,18 @@ bool large_layout(const Json& node, std::string_view where) {
   throw Error(ExitCode::bad_input, where, fmt::format("unknown layout '{}'", layout), "known: mosaic, large");
 }
 
+std::vector<std::string> names_member(const Json& node, const char* member, std::string_view where) {
+  std::vector<std::string> names;
+  if (!node.contains(member)) return names;
+  for (const Json& name : node[member]) {
+    if (!name.is_string())
+      throw Error(ExitCode::bad_input, where,
+                  fmt::format("\"{}\" holds {}, not a name in quotes", member, name.dump()));
+    names.push_back(name.get<std::string>());
+  }
+  return names;
+}
+
 double minutes_of(const Json& node, std::string_view where) {
   if (!node.contains("minutes")) return 1;
   const Json& minutes = node["minutes"];
@@ -100,7 +112,7 @@ Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string
   const Json json = parse_json(json_text, where);
   if (!json.is_object()) throw Error(ExitCode::bad_input, where, "must be a JSON object");
   check_file_version(json, kLessonVersion, "lesson", where);  // first: a newer file's members would be called misspelt
-  only_members(json, {"version", "order", "title", "preset", "steps"}, where);
+  only_members(json, {"version", "order", "title", "preset", "exercises", "steps"}, where);
   order_of(json, where);
 
   Lesson lesson;
@@ -109,6 +121,7 @@ Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string
   lesson.preset = needed_text_member(json, "preset", where);
   Settings tried;
   look_up(where, [&] { tried = preset(lesson.preset).make(); });
+  lesson.exercises = names_member(json, "exercises", where);
   if (!json.contains("steps") || !json["steps"].is_array() || json["steps"].empty())
     throw Error(ExitCode::bad_input, where, "\"steps\" must be an array of at least one step");
   for (const Json& node : json["steps"]) {

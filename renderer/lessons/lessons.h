@@ -1,6 +1,6 @@
 #pragma once
 // Lessons: data (assets/lessons/*.json) that the window steps through and that scripts and handouts are printed from.
-//   {"version": 1, "order": 2, "title": "…", "preset": "start", "steps": [{"say": "…", "set": {"lights.cull": "back"},
+//   {"version": 1, "order": 2, "title": "…", "preset": "start", "exercises": ["…"], "steps": [{"say": "…", "set": {"lights.cull": "back"},
 //    "view": "final", "layout": "mosaic" | "large", "question": "…", "answer": "…", "minutes": 1}]}
 // A step's settings are the preset's with the patches of steps 0…k applied in order: a step is a pure function of
 // the file, so stepping back gives exactly what was seen.
@@ -27,6 +27,7 @@ struct Lesson {
   std::string title;
   std::string preset;
   std::vector<LessonStep> steps;
+  std::vector<std::string> exercises;  // that go with it, by name; may be empty
 };
 
 std::vector<std::string> lesson_ids();    // as they are taught: by their "order", then by name
