@@ -45,6 +45,7 @@ void add_settings(CLI::App& app, Arguments& a) {
   add_number(app, "--seed", a.seed, "of the generated lights", 0, std::numeric_limits<unsigned>::max());
   app.add_option("--camera", a.camera, "x,y,z:yaw,pitch[:fov] in world units and degrees");
   app.add_option("--rig", a.rig, "lights from a rig's JSON file");
+  app.add_option("--layout-file", a.layout_file, "a layout of your own: one GLSL file, see docs/layout-files.md");
   add_number(app, "--time", a.time, "seconds: lights move as functions of it", -kAnyNumber, kAnyNumber);
 }
 
@@ -132,6 +133,20 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("lesson", a.what, "a lesson (list lessons), or a lesson's JSON file")->required();
     app.add_option("-o,--output", a.output, "folder for the handout, made if need be (default: out/handout)");
     app.add_flag("--script", a.script, "the lecturer's script instead: what to press, what to say, minutes");
+  }
+  if (command == "exercise") {
+    CLI::Option* name = app.add_option("name", a.what, "an exercise; without one all are listed");
+    app.add_option("-o,--output", a.output,
+                   "folder for task, state, answer and pictures, made if need be; then no window opens (default: "
+                   "out/exercises/NAME)");
+    CLI::Option* check =
+        app.add_option("--check", a.check, "judge this answer's file; -: standard input. Exit code 1: it is wrong");
+    CLI::Option* grade = app.add_option("--grade", a.grade,
+                                        "judge a class: FOLDER/STUDENT/EXERCISE.json or FOLDER/STUDENT-EXERCISE.json");
+    grade->excludes(name)->excludes(check);
+    app.add_flag("--csv", a.csv, "with --grade: a line for each answer")->needs(grade)->excludes(json);
+    add_number(app, "--limit", a.limit_s, "seconds that one answer may take (default: 60)", 0.1, 86400);
+    app.add_flag("--here", a.here, "judge in this process and not in one of its own")->needs(check)->group("");
   }
   if (command == "list") {
     CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");

@@ -7,6 +7,7 @@
 #include "app/docs_pages.h"
 #include "app/headless.h"
 #include "renderer/base/json.h"
+#include "renderer/exercises/exercise.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/gbuffer/position_source.h"
 #include "renderer/gl/device.h"
@@ -178,6 +179,17 @@ Rows lesson_rows() {
   return out;
 }
 
+Rows exercise_rows() {
+  Rows out;
+  for (const Exercise& e : load_exercises()) {
+    Json j = base(e.id.c_str(), e.title.c_str());
+    j["sound"] = nullptr;
+    j["answer"] = id_of(e.answer), j["source"] = e.source;
+    out.push_back({j});
+  }
+  return out;
+}
+
 // "lights.cull=back lights.volume.clip=none"
 std::string words_of(const std::vector<Assignment>& patch) {
   std::string out;
@@ -230,6 +242,7 @@ const List kLists[] = {
     {"pitfalls", pitfall_rows},
     {"lessons", lesson_rows},
     {"studies", study_rows},
+    {"exercises", exercise_rows},
 };
 
 const List& list_called(const std::string& what) {

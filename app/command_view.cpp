@@ -17,6 +17,7 @@
 #include "app/viewer.h"
 #include "app/window.h"
 #include "renderer/base/files.h"
+#include "renderer/gbuffer/layout_file.h"
 #include "renderer/opening/scene_look.h"
 
 namespace gbl {
@@ -27,6 +28,25 @@ constexpr double kFrameSeconds = 1.0 / 60;  // pace while something happens
 constexpr double kMeasureSeconds = 0.001;   // pace of a study that nobody disturbs: each frame is a step of it
 constexpr double kQuietSeconds = 0.3;       // without a hand on the window before anything is measured beside it
 constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
+
+// A user's layout file is read again when it is saved.
+class LayoutWatch {
+ public:
+  // The name of what is in the file now, where it was saved since the last look.
+  std::optional<std::string> saved(const std::string& layout_file) {
+    const std::string path(path_of_layout_file(layout_file));
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(path, error);
+    if (error) return {};
+    const bool other = path != path_, newer = time != time_;
+    path_ = path, time_ = time;
+    return other || !newer ? std::nullopt : std::optional(name_layout_file(path));
+  }
+
+ private:
+  std::string path_;
+  std::filesystem::file_time_type time_;
+};
 
 // ImGui's GLFW back-end for as long as the window runs.
 struct GlfwBackend {
@@ -154,6 +174,15 @@ class Loop {
     if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.fail(trouble);
   }
 
+  void take_saved_layout() {
+    if (settings_.layout_file.empty()) return;
+    try {
+      if (const auto name = layout_watch_.saved(settings_.layout_file)) settings_.layout_file = *name;
+    } catch (const Error& e) {
+      viewer_.fail(e.what());  // the last good one goes on drawing
+    }
+  }
+
   void step() {
     window_.wait_events(pace());
     const glm::ivec2 size = window_.framebuffer_size();
@@ -171,6 +200,7 @@ class Loop {
     if (!keys.empty()) viewer_.say("");
     drop(window_.take_drops());
     if (const auto opened = viewer_.take_opened(settings_)) take(*opened);
+    take_saved_layout();
     ImGui_ImplGlfw_NewFrame();
     const Settings before = settings_;
     screen_.draw(size, [&] { requests = ui_.draw(settings_, input, keys); });
@@ -233,6 +263,7 @@ class Loop {
   Lab lab_;
   Viewer viewer_;
   GlfwBackend backend_;
+  LayoutWatch layout_watch_;
   int quiet_frames_ = 0;
   double touched_s_ = 0;
   double wake_in_ = kIdleSeconds;

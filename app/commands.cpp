@@ -26,9 +26,11 @@ constexpr Command kCommands[] = {
     {"handout",
      "a lesson on paper: figures, questions with room to write, answers at the end; or the lecturer's script",
      run_handout},
+    {"exercise", "tasks from the tutorials: a state to begin with, an answer that is measured, a class graded",
+     run_exercise},
     {"list",
      "presets, scenes, layouts, encodings, positions, methods, mistakes, views, overlays, options, keys, pitfalls, "
-     "lessons, studies",
+     "lessons, studies, exercises",
      run_list},
     {"info", "the driver, its limits and its rounding; which features are there and why not", run_info},
 };

@@ -27,7 +27,7 @@ struct Arguments {
   std::vector<std::string> pitfalls;  // by id; none: all
   bool list = false;                  // of `pitfalls` and `figures`: only what there is
 
-  std::optional<std::string> scene, preset, state, rig, camera, size;
+  std::optional<std::string> scene, preset, state, rig, camera, size, layout_file;
   std::optional<int> lights;
   std::optional<unsigned> seed;
   std::optional<double> time;
@@ -41,17 +41,22 @@ struct Arguments {
   std::optional<double> scale, width_cm;                                         // of `figures`
   bool script = false;                                                           // of `handout`
   bool light = false, grey = false, few_colours = false, pictures_only = false;  // of `figures`
-  std::optional<std::filesystem::path> check;  // of `figures`: compare with this folder
-  std::optional<int> pixel_x, pixel_y;         // of `probe`, origin top left
-  std::optional<double> budget, budget_max;    // of `advise`: codes of 255 as displayed
-  std::string cost = "time";                   // of `advise`
-  bool apply = false;                          // of `advise`: write the settings
-  std::optional<std::string> shard;            // of `study`: "i/n"
+  std::optional<std::filesystem::path>
+      check;                                 // of `figures`: compare with this folder; of `exercise`: an answer, or "-"
+  std::optional<int> pixel_x, pixel_y;       // of `probe`, origin top left
+  std::optional<double> budget, budget_max;  // of `advise`: codes of 255 as displayed
+  std::string cost = "time";                 // of `advise`
+  bool apply = false;                        // of `advise`: write the settings
+  std::optional<std::string> shard;          // of `study`: "i/n"
   bool present = false, fresh = false;
   std::string lesson, pitfall;  // of `view`: open this one
   std::optional<int> frames;    // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none
-  bool no_truth = false;        // of `bench`: without the reference
-  std::optional<std::filesystem::path> docs;  // of `list`: the folder of the documents' tables
+  std::optional<std::filesystem::path> grade;  // … a class's folder
+  bool csv = false;                            // … as a table
+  std::optional<double> limit_s;               // … seconds for one answer
+  bool here = false;                           // … judged in this process
+  bool no_truth = false;                       // of `bench`: without the reference
+  std::optional<std::filesystem::path> docs;   // of `list`: the folder of the documents' tables
 };
 
 // Parses; prints help and exits as CLI11 does. Throws Error(bad_input).
@@ -89,6 +94,7 @@ ExitCode run_stability(const Arguments&);
 ExitCode run_pitfalls(const Arguments&);
 ExitCode run_figures(const Arguments&);
 ExitCode run_handout(const Arguments&);
+ExitCode run_exercise(const Arguments&);
 ExitCode run_list(const Arguments&);
 // As `list WHAT --md` prints it; `columns` chooses some of them.
 std::string list_markdown(const std::string& what, std::span<const std::string_view> columns = {});

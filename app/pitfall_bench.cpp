@@ -28,6 +28,7 @@ std::optional<PitfallEvidence> PitfallBench::measured(const Settings& drawn, con
   renderer_.count_pairs(drawn, in, targets_, true);
   renderer_.collect(targets_, report, true);
   out.pairs = report.pairs;
+  out.report = report;
   Drawn read = read_drawn(renderer_, drawn, in, targets_, true);
   const Display display{drawn.exposure, drawn.colour};
   for (const glm::vec3& radiance : read.shown) out.shown.emplace_back(displayed(display, radiance));

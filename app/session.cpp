@@ -23,6 +23,7 @@ Json to_json(const ui::Snapshot& s) {
   Settings settings = s.settings;
   if (is_file(settings.scene)) settings.scene = absolute(settings.scene);
   if (!settings.lights.rig.empty()) settings.lights.rig = absolute(settings.lights.rig);
+  if (!settings.layout_file.empty()) settings.layout_file = absolute(settings.layout_file);
   Json json;
   json["large"] = s.large;
   json["settings"] = gbl::to_json(settings);

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/file_opening.h"
 #include "renderer/base/size_text.h"
+#include "renderer/gbuffer/layout_file.h"
 #include "renderer/opening/exposure_meter.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/camera_text.h"
@@ -41,6 +42,7 @@ Setup setup_of(const Arguments& a, const LoadProgress* progress) {
     rig_lights(*a.rig);  // refused here, with its place, rather than at the first frame
     apply_patch(s, {{"lights.rig", *a.rig}, {"lights.source", "rig"}}, "--rig");
   }
+  if (a.layout_file) s.layout_file = name_layout_file(*a.layout_file);
   if (a.seed) s.lights.seed = *a.seed;
   if (a.size) apply_size(s, *a.size);
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time");
@@ -73,6 +75,7 @@ Given given_of(const Arguments& a) {
     apply_patch(s, {{"lights.rig", *a.rig}, {"lights.source", "rig"}}, "--rig");
     give("lights.rig"), give("lights.source");
   }
+  if (a.layout_file) s.layout_file = name_layout_file(*a.layout_file), give("layout-file");
   if (a.seed) s.lights.seed = *a.seed, give("lights.seed");
   if (a.size) given.explicitly.push_back({"size", *a.size});
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time"), give("time_s");

@@ -6,8 +6,8 @@
 namespace gbl {
 
 bool goes_on(const Arguments& a) {
-  const bool says_what =
-      a.scene || a.preset || a.state || a.rig || a.camera || a.size || a.lights || a.seed || a.time || !a.set.empty();
+  const bool says_what = a.scene || a.preset || a.state || a.rig || a.layout_file || a.camera || a.size || a.lights ||
+                         a.seed || a.time || !a.set.empty();
   return !says_what && !a.fresh && is_remembered(a);
 }
 
@@ -19,6 +19,7 @@ Start start_of(const Arguments& a, SessionKeeper& keeper, const LoadProgress* pr
   if (!last || !goes_on(a)) return start;
   try {
     if (!last->settings.lights.rig.empty()) rig_lights(last->settings.lights.rig);
+    layout_of(last->settings);
     start.left_scene = open_scene(last->settings.scene, progress);
     start.left = last;
   } catch (const Error& e) {

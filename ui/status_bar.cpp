@@ -38,7 +38,7 @@ std::string pixel_in_words(const FrameContext& f, const PixelProbe& p) {
   if (!p.surface()) return text + "   no surface: the background";
   text += fmt::format("   albedo {}", three(p.vector(ProbeField::albedo), 2));
   const float roughness = p.number(ProbeField::roughness), lights = p.number(ProbeField::lights);
-  if (facts(f.stored.layout).stores_roughness())
+  if (layout_of(f.stored).stores_roughness())
     text += fmt::format("   roughness {:.2f} {}", roughness, roughness_word(roughness));
   const glm::vec3 normal = p.vector(ProbeField::normal), lit = p.vector(ProbeField::lit);
   text +=

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <sstream>
 
 #include "renderer/base/error.h"
@@ -48,6 +50,18 @@ const Embedded kEmbedded[] = {
 std::filesystem::path g_override =
     std::filesystem::exists(std::filesystem::path(GBL_SOURCE_FOLDER) / "shaders") ? GBL_SOURCE_FOLDER : "";
 
+struct Lent {
+  std::string text, shown;
+};
+std::map<std::string, Lent, std::less<>> g_lent;
+std::mutex g_lent_mutex;
+
+std::optional<Lent> lent(std::string_view name) {
+  const std::lock_guard lock(g_lent_mutex);
+  const auto found = g_lent.find(name);
+  return found == g_lent.end() ? std::nullopt : std::optional(found->second);
+}
+
 }  // namespace
 
 std::string_view embedded_bytes(std::string_view name) {
@@ -56,7 +70,18 @@ std::string_view embedded_bytes(std::string_view name) {
   throw Error(ExitCode::bad_input, name, "no such resource");
 }
 
+void lend_resource(const std::string& name, std::string text, std::string shown) {
+  const std::lock_guard lock(g_lent_mutex);
+  g_lent[name] = {std::move(text), std::move(shown)};
+}
+
+std::string shown_name(const std::string& name) {
+  const std::optional<Lent> found = lent(name);
+  return found ? found->shown : name;
+}
+
 std::string resource(std::string_view name) {
+  if (std::optional<Lent> found = lent(name)) return std::move(found->text);
   if (!g_override.empty()) {
     std::ifstream file(g_override / name, std::ios::binary);
     std::stringstream text;

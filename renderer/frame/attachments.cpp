@@ -64,12 +64,12 @@ bool split(const Settings& s) { return s.accumulation.targets == AccumulationTar
 
 void append_material(const Settings& s, std::vector<Attachment>& all) {
   if (shading_of(s.lights.method) == Shading::light_prepass) {
-    all.push_back(facts(s.layout).floats ? kThinFloat : kThin);
+    all.push_back(layout_of(s).floats ? kThinFloat : kThin);
     return;
   }
-  for (const MaterialTexel& t : facts(s.layout).material)
+  for (const MaterialTexel& t : layout_of(s).material)
     if (t.name) all.push_back(of_geometry(t.name, t.stores, t.format, t.contents));
-  if (facts(s.layout).begins_sum) {
+  if (layout_of(s).begins_sum) {
     const Format sum = format_of(s.accumulation.format);
     all.push_back(sum_begins_in_geometry(s)
                       ? of_geometry("light.sum", Stores::light, sum, "rgb: ambient + emission, then all light")
@@ -93,13 +93,13 @@ void append_light(const Settings& s, std::vector<Attachment>& all) {
 }  // namespace
 
 bool sum_begins_in_geometry(const Settings& s) {
-  return facts(s.layout).begins_sum && !split(s) && shading_of(s.lights.method) == Shading::deferred;
+  return layout_of(s).begins_sum && !split(s) && shading_of(s.lights.method) == Shading::deferred;
 }
 
 bool normal_in_material(const Settings& s) {
   const auto& normal = row_of(s.normal.encoding);
   return shading_of(s.lights.method) == Shading::deferred && normal.format == Format::r32ui &&
-         normal.bits() <= facts(s.layout).normal_bits;
+         normal.bits() <= layout_of(s).normal_bits;
 }
 
 std::vector<Attachment> attachments(const Settings& s) {

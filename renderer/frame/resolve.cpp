@@ -78,19 +78,21 @@ Resolved resolve(const Settings& s, const Scene& scene) {
     out.settings.layout = layout;
     out.notes.push_back(fmt::format("layout: {}{}", row(layout).label, why));
   };
-  if (s.layout == Layout::auto_) {
+  if (!s.layout_file.empty()) {
+    out.notes.push_back(fmt::format("layout: {}", layout_of(s).axis.label));
+  } else if (s.layout == Layout::auto_) {
     LayoutChoice choice = choose_layout(needs_of(scene, s.reflections == Reflections::on));
     choose(choice.layout, "");
     for (const std::string& what : choice.left_out) out.notes.push_back("not stored: " + what);
   } else {
     const MaterialNeeds needs = needs_of(scene, s.reflections == Reflections::on);
-    for (const Successor& next : facts(s.layout).successors)
+    for (const Successor& next : layout_of(s).successors)
       if (needs.has(next.when)) {
         choose(next.layout, why_of(next.when));
         break;
       }
   }
-  const LayoutRow& stored = facts(out.settings.layout);
+  const LayoutRow& stored = layout_of(out.settings);
   if (!stored.keeps_emission && shading_of(s.lights.method) != Shading::forward && has_unlit(scene))
     out.notes.push_back(
         fmt::format("unlit surfaces are lit like others: the {} layout stores no emission", stored.axis.id));

@@ -107,7 +107,7 @@ class Fields {
   }
 
   // Where the light's sums are kept apart, what would begin them stands beside them, in their units.
-  bool is_kept_sum() const { return a_.stores == Stores::emission && facts(s_.layout).begins_sum; }
+  bool is_kept_sum() const { return a_.stores == Stores::emission && layout_of(s_).begins_sum; }
 
   void add_item(int channel, std::string_view item) {
     int& first = next_[static_cast<size_t>(channel)];

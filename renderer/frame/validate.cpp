@@ -40,17 +40,17 @@ void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Pr
            fmt::format("{} reads a G-buffer, and forward shading has none; choose none", row(s.antialias).id)});
     return;
   }
-  const bool alpha = shading == Shading::deferred && facts(s.layout).alpha_marks;
+  const bool alpha = shading == Shading::deferred && layout_of(s).alpha_marks;
   if (s.background.skip == BackgroundSkip::alpha && !alpha)
     out.push_back({ProblemId::alpha_not_stored, "background.skip",
                    fmt::format("the {} layout stores no alpha that marks a surface; choose depth, or the layout nclgl, "
                                "objectid or viewspace with a deferred method",
-                               row(s.layout).id)});
+                               layout_of(s).axis.id)});
   if (shading == Shading::light_prepass && s.accumulation.targets != AccumulationTargets::split)
     out.push_back({ProblemId::prepass_needs_split, "accumulation.targets",
                    "deferred lighting does not know the albedo yet when it sums light; choose split"});
   int targets = 0;
-  if (s.layout != Layout::auto_)
+  if (s.layout != Layout::auto_ || !s.layout_file.empty())
     for (const Attachment& a : attachments(s)) targets += a.written_by == Pass::geometry && a.stores != Stores::depth;
   if (targets > limits.max_draw_buffers)
     out.push_back(

@@ -33,6 +33,8 @@ std::string included_file(const std::string& line, const Defines& defines, std::
   static const std::regex kInclude(R"re(^#include\s+(?:"([^"]+)"|(\w+)).*)re");
   std::smatch m;
   if (!std::regex_match(line, m, kInclude)) return "";
+  if (m[1].matched && m[1].str().find("..") != std::string::npos)
+    throw Error(ExitCode::bad_input, where, fmt::format("#include \"{}\" leaves the shaders' folder", m[1].str()));
   if (m[1].matched) return fmt::format("shaders/{}", m[1].str());
   const auto named = std::find_if(defines.begin(), defines.end(), [&](const Define& d) { return d.name == m[2]; });
   if (named == defines.end())
@@ -47,7 +49,7 @@ void append_file(ShaderText& out, const std::string& name, const Defines& define
   out.body += fmt::format("#line 1 {}\n", file);
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
-    const std::string included = included_file(line, defines, fmt::format("{}:{}", name, number));
+    const std::string included = included_file(line, defines, fmt::format("{}:{}", shown_name(name), number));
     if (included.empty()) {
       out.body += line + "\n";
       continue;
@@ -137,7 +139,7 @@ std::string readable_log(std::string_view log, const ShaderText& text) {
     std::smatch m;
     if (!std::regex_match(line, m, kPlace) || line.find("warning") != std::string::npos) continue;
     const size_t file = std::stoul(m[1]);
-    const std::string& where = file < text.files.size() ? text.files[file] : text.name;
+    const std::string where = file < text.files.size() ? shown_name(text.files[file]) : text.name;
     return fmt::format("{}:{}: {}", where, m[2].str(), m[3].str());
   }
   return fmt::format("{}: {}", text.name, log);

@@ -38,7 +38,7 @@ ViewSource in_first_of(std::span<const Stores> in_order, const Settings& s) {
 }
 
 ViewSource in_layouts_attachment(const Settings& s) {
-  const Stores in_order[] = {facts(s.layout).shows_stored, Stores::material};
+  const Stores in_order[] = {layout_of(s).shows_stored, Stores::material};
   return in_first_of(in_order, s);
 }
 
@@ -76,7 +76,7 @@ std::string albedo_missing(const Settings& s) {
 }
 
 std::string material_missing(const Settings& s) {
-  const LayoutRow& layout = facts(s.layout);
+  const LayoutRow& layout = layout_of(s);
   const bool stored = shading_of(s.lights.method) != Shading::deferred || layout.shows != MaterialView::nothing;
   return stored ? surface_missing(s) : layout.roughness_missing;
 }
@@ -85,26 +85,26 @@ namespace {
 // Of what a layout may keep or not: why it cannot be read back.
 std::string unless_kept(const Settings& s, bool kept, std::string_view what) {
   if (std::string none = albedo_missing(s); !none.empty()) return none;
-  return kept ? "" : fmt::format("the {} layout {}", row(s.layout).id, what);
+  return kept ? "" : fmt::format("the {} layout {}", layout_of(s).axis.id, what);
 }
 }  // namespace
 
 std::string reflectance_missing(const Settings& s) {
   if (shading_of(s.lights.method) == Shading::light_prepass) return {};  // what its first pass keeps
-  return unless_kept(s, facts(s.layout).keeps.reflectance, "stores none: every surface reflects alike");
+  return unless_kept(s, layout_of(s).keeps.reflectance, "stores none: every surface reflects alike");
 }
-std::string metal_missing(const Settings& s) { return unless_kept(s, facts(s.layout).keeps.metal, "stores no metal"); }
+std::string metal_missing(const Settings& s) { return unless_kept(s, layout_of(s).keeps.metal, "stores no metal"); }
 std::string emission_missing(const Settings& s) {
-  return unless_kept(s, facts(s.layout).keeps_emission, "stores no emission: nothing shines by itself");
+  return unless_kept(s, layout_of(s).keeps_emission, "stores no emission: nothing shines by itself");
 }
 std::string occlusion_missing(const Settings& s) {
-  return unless_kept(s, facts(s.layout).keeps.occlusion, "stores no occlusion: all ambient light arrives");
+  return unless_kept(s, layout_of(s).keeps.occlusion, "stores no occlusion: all ambient light arrives");
 }
 std::string ambient_missing(const Settings& s) {
-  return unless_kept(s, facts(s.layout).keeps.ambient, "stores no ambient colour: it follows from the albedo");
+  return unless_kept(s, layout_of(s).keeps.ambient, "stores no ambient colour: it follows from the albedo");
 }
 std::string exponent_missing(const Settings& s) {
-  return unless_kept(s, facts(s.layout).keeps.exponent,
+  return unless_kept(s, layout_of(s).keeps.exponent,
                      "stores no exponent: it follows from the roughness, or is one for all");
 }
 
@@ -141,8 +141,8 @@ std::string visibility_missing(const Settings& s) {
 }
 
 std::string error_missing(const Settings& s) {
-  const bool no_roughness = s.view.error.of == ErrorOf::roughness && !facts(s.layout).stores_roughness();
-  return no_roughness ? facts(s.layout).roughness_missing : why_missing(shown_by(s.view.error.of), s);
+  const bool no_roughness = s.view.error.of == ErrorOf::roughness && !layout_of(s).stores_roughness();
+  return no_roughness ? layout_of(s).roughness_missing : why_missing(shown_by(s.view.error.of), s);
 }
 
 }  // namespace gbl

@@ -75,7 +75,7 @@ Legend depth_legend(const LegendOf& of) {
 
 Legend material_legend(const LegendOf& of) {
   const Settings& s = of.settings;
-  if (facts(s.layout).shows == MaterialView::specular && shading_of(s.lights.method) == Shading::deferred)
+  if (layout_of(s).shows == MaterialView::specular && shading_of(s.lights.method) == Shading::deferred)
     return {false, {{"colour of the highlight", grey(0.5)}}, {}};
   Legend bar{true, {}, {}};
   for (int i = 0; i <= kBarSteps; ++i) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/gbuffer/layout_file.h"
 
 namespace gbl {
 
@@ -45,6 +46,12 @@ const std::string& checked_text(const Option& o, const OptionValue& v) {
   if (!text) bad_value(o, v, "a text in quotes");
   if (!writable(*text)) bad_value(o, v, "UTF-8");  // no settings file could hold it
   return *text;
+}
+
+// A path alone means the file as it is now; settings that were written name its content, too.
+std::string checked_layout_file(const Option& o, const OptionValue& v) {
+  const std::string& name = checked_text(o, v);
+  return name.empty() || names_content(name) ? name : name_layout_file(name);
 }
 
 template <class E>
@@ -258,7 +265,8 @@ const Option kOptions[] = {
   {.path = "albedo", .group = Group::truth, .label = "Albedo", .help = "the surface's own colour, or white", CHOICE(AlbedoSource, albedo)},
   {.path = "exposure", .group = Group::truth, .label = "Exposure", .help = "factor before the display transform; unlit surfaces are shown as they are", NUMBER(exposure, 1e-6, 1e6)},
   {.path = "colour", .group = Group::truth, .label = "Colour", .help = "how texels are read and the picture is shown", CHOICE(Colour, colour)},
-  {.path = "layout", .group = Group::method, .label = "Layout", .help = "how the material is packed", .key = "L", CHOICE(Layout, layout), .use = &kByGbuffer},
+  {.path = "layout", .group = Group::method, .label = "Layout", .help = "how the material is packed", .key = "L", .kind = Kind::choice, .values = rows<Layout>(), .get = GET(row(s.layout).id), .set = SET(s.layout = checked_choice<Layout>(o, v); s.layout_file.clear()), .use = &kByGbuffer},
+  {.path = "layout-file", .group = Group::method, .label = "Layout file", .help = "a layout of your own, drawn in the place of layout: one GLSL file, as --layout-file takes it", .kind = Kind::text, .get = GET(s.layout_file), .set = SET(s.layout_file = checked_layout_file(o, v)), .use = &kByGbuffer},
   {.path = "normal.encoding", .group = Group::method, .label = "Normal", .help = "how the normal is stored", .key = "N", CHOICE(NormalEncoding, normal.encoding), .use = &kByGbuffer},
   {.path = "normal.space", .group = Group::method, .label = "Normal space", .help = "the axes that normals are stored along", CHOICE(NormalSpace, normal.space), .use = &kByGbuffer},
   {.path = "position.source", .group = Group::method, .label = "Position source", .help = "where the lighting gets its position", CHOICE(PositionSource, position.source), .use = &kByGbuffer},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/gbuffer/layout_file.h"
 #include "renderer/options/options.h"
 
 namespace gbl {
@@ -17,6 +18,14 @@ Settings lit_alone(Settings s) {
   s.reflections = Reflections::off;
   s.height_map = HeightMap::off;
   return s;
+}
+
+const LayoutRow& layout_of(const Settings& s) {
+  return s.layout_file.empty() ? facts(s.layout) : layout_of_file(s.layout_file);
+}
+
+std::string layout_shader_of(const Settings& s) {
+  return s.layout_file.empty() ? shader_of(s.layout) : shader_of_layout_file(s.layout_file);
 }
 
 std::vector<std::string> ids_of(const std::set<Mistake>& mistakes) {

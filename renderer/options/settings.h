@@ -88,6 +88,7 @@ struct Settings {
 
   // ---- how it is drawn: whatever these drop, round, clamp or miss is error ----
   Layout layout = Layout::albedo_roughness;
+  std::string layout_file;  // a user's, drawn in the place of `layout`: "PATH@HASH" (layout_file.h); empty: none
   struct Normal {
     NormalEncoding encoding = NormalEncoding::oct16;
     NormalSpace space = NormalSpace::world;
@@ -171,6 +172,10 @@ Settings lit_alone(Settings);
 
 // Sorted, as files and messages name them.
 std::vector<std::string> ids_of(const std::set<Mistake>&);
+
+// The layout that is meant: the row, or what the user's file says. Error(bad_input): it cannot be read, or was changed.
+const LayoutRow& layout_of(const Settings&);
+std::string layout_shader_of(const Settings&);  // below shaders/
 
 // Every unsound choice by its path and the failure it shows; empty = sound.
 struct Unsound {

@@ -19,7 +19,7 @@ gl::Defines Frame::defines() const {
 
 gl::Defines Frame::surface_defines() const {
   gl::Defines d = gbuffer_defines(resolved);
-  append_surface_defines(d, settings, facts(settings.layout).keeps_emission);
+  append_surface_defines(d, settings, layout_of(settings).keeps_emission);
   d.push_back({"CLIP_PLANE", targets_.cut.behind.has_value()});
   return d;
 }

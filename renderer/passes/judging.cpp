@@ -31,7 +31,7 @@ Settings witness_of(const Settings& s) {
   Settings w = s;
   w.lights.method = LightMethod::forward;
   w.lights.markers = LightMarkers::off;
-  w.layout = Layout::float32;
+  w.layout = Layout::float32, w.layout_file.clear();
   w.depth.format = DepthFormat::auto_;
   w.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::one};
   w.background.skip = BackgroundSkip::depth;

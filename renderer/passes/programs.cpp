@@ -77,8 +77,8 @@ void append_choice(gl::Defines& out, const char* name, const char* prefix, std::
 gl::Defines gbuffer_defines(const ResolvedFrame& f) {
   const Settings& s = f.settings;
   gl::Defines out;
-  const LayoutRow& layout = facts(s.layout);
-  out.push_back({"LAYOUT_FILE", f.shading == Shading::light_prepass ? kThinLayoutShader : shader_of(s.layout)});
+  const LayoutRow& layout = layout_of(s);
+  out.push_back({"LAYOUT_FILE", f.shading == Shading::light_prepass ? kThinLayoutShader : layout_shader_of(s)});
   append_encoding(out, s.normal.encoding);
   append_axis(out, "NORMAL_SPACE", "SPACE_", s.normal.space);
   append_axis(out, "POSITION_SOURCE", "POSITION_", s.position.source);

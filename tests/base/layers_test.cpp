@@ -76,6 +76,7 @@ const char* const kRooms[] = {
     "renderer/study/stability",
     "renderer/study/pitfalls",
     "renderer/study/advice",
+    "renderer/exercises",
     "renderer/gl",
     "renderer/passes",
     "ui",

@@ -16,6 +16,7 @@ struct PitfallEvidence {
   Measured measured = {};             // against it
   std::vector<glm::vec3> shown = {};  // as displayed, drawn forward objects included: 0..1, rows top to bottom
   std::optional<PairCounts> pairs = {};
+  FrameReport report = {};  // what drawing it cost
 };
 
 struct PitfallMetric {

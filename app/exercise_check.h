@@ -1,0 +1,24 @@
+#pragma once
+// One answer's file, judged in a process of its own: an endless loop or a driver that crashes is an answer, too.
+#include <filesystem>
+#include <string>
+
+#include "renderer/exercises/judge_answer.h"
+
+namespace gbl {
+
+inline constexpr double kAnswerLimitS = 60;
+
+struct CheckWishes {
+  double limit_s = kAnswerLimitS;
+  std::string without = {};  // features, as --without has them
+};
+
+// "-": standard input. Error(bad_input): it is no answer; with file, line and column.
+ExerciseVerdict check_answer(const Exercise&, const std::string& file, const CheckWishes&);
+
+// The same in this process.
+Answer read_answer(const Exercise&, const std::string& file);
+ExerciseVerdict check_here(const Exercise&, const std::string& file, const CheckWishes&);
+
+}  // namespace gbl

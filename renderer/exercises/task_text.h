@@ -1,0 +1,12 @@
+#pragma once
+// A task in words: what is asked, what there is to choose from, and how an answer is given and checked.
+#include <string>
+
+#include "renderer/exercises/exercise.h"
+
+namespace gbl {
+
+std::string task_text(const Exercise&);      // for a terminal
+std::string task_markdown(const Exercise&);  // the same as a page
+
+}  // namespace gbl
