@@ -1,6 +1,9 @@
 #include "ui/captions.h"
 
+#include <filesystem>
 #include <fmt/format.h>
+
+#include "renderer/gbuffer/layout_file.h"
 
 namespace gbl::ui {
 namespace {
@@ -48,6 +51,8 @@ std::string grouped(uint64_t number) {
 }
 
 std::string value_text(const Option& o, const Settings& s) {
+  const bool in_its_place = std::string_view(o.path) == "layout" && !s.layout_file.empty();
+  if (in_its_place) return std::filesystem::path(path_of_layout_file(s.layout_file)).filename().string();
   if (o.kind == Kind::choice) return o.values[chosen(o, s)].label;
   return plain_text(o.get(s));
 }

@@ -53,15 +53,16 @@ std::string sound_mark(const Option& o, const Settings& s) {
 void draw_choice(FrameContext& f, const Option& o, const Box& place, float px) {
   const Box box{{std::floor(place.min.x), std::floor(place.min.y)}, {std::floor(place.max.x), std::floor(place.max.y)}};
   const ValueRow& now = o.values[chosen(o, f.settings)];
+  const std::string label = value_text(o, f.settings);  // the user's file, where it stands in the place of a layout
   const float arrow = box.height(), pad = std::round(px * 0.5f);
-  px = f.painter.fit(now.label, {box.width() - arrow - 2 * pad, box.height()}, px, false);
+  px = f.painter.fit(label, {box.width() - arrow - 2 * pad, box.height()}, px, false);
   const FontScope font(px);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {pad, std::floor((box.height() - px) / 2)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
   ImGui::SetCursorScreenPos(box.min);
   ImGui::SetNextItemWidth(box.width());
-  if (ImGui::BeginCombo(fmt::format("##{}", o.path).c_str(), now.label, ImGuiComboFlags_HeightLargest)) {
-    for (const ValueRow& r : o.values) draw_value(f, o, r, r.value == now.value);
+  if (ImGui::BeginCombo(fmt::format("##{}", o.path).c_str(), label.c_str(), ImGuiComboFlags_HeightLargest)) {
+    for (const ValueRow& r : o.values) draw_value(f, o, r, r.value == now.value && label == r.label);
     ImGui::EndCombo();
   }
   ImGui::PopStyleVar(2);

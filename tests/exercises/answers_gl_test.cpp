@@ -3,6 +3,7 @@
 
 #include "app/exercise_bench.h"
 #include "app/exercise_check.h"
+#include "renderer/base/files.h"
 #include "tests/gl_fixture.h"
 #include "tests/test_paths.h"
 
@@ -43,7 +44,7 @@ TEST_F(ExerciseAnswers, TheFileThatOneBeginsWithIsWrong) {
   for (const Exercise& e : load_exercises()) {
     if (e.start.empty()) continue;
     const fs::path file = folder / fmt::format("{}.glsl", e.id);
-    std::ofstream(file) << template_of(e);
+    write_text_file(file, template_of(e));
     EXPECT_FALSE(bench.judge(e, read_answer(e, file.string())).right) << e.id;
   }
 }

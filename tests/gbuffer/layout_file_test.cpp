@@ -1,5 +1,7 @@
 #include "renderer/gbuffer/layout_file.h"
 
+#include <fmt/format.h>
+
 #include "renderer/base/files.h"
 #include "renderer/gbuffer/layout_header.h"
 #include "tests/test_support.h"
@@ -8,14 +10,14 @@ namespace gbl {
 namespace {
 
 std::string refused(const std::string& header) {
-  return error_line(ExitCode::bad_input, [&] { parse_layout_header(header + "\ncode\n", "mine.glsl"); });
+  return error_line(ExitCode::bad_input, [&] { parse_layout_header(fmt::format("{}\ncode\n", header), "mine.glsl"); });
 }
 
 // The column of `part` in the line, as the message must have it.
 void expect_refused_at(const std::string& header, const std::string& part, const std::string& because) {
   const std::string line = refused(header);
   const size_t column = header.find(part) + 1;
-  EXPECT_TRUE(line.starts_with("mine.glsl:1:" + std::to_string(column) + ": ")) << line << "\nwanted column " << column;
+  EXPECT_TRUE(line.starts_with(fmt::format("mine.glsl:1:{}: ", column))) << line << "\nwanted column " << column;
   EXPECT_TRUE(contains(line, because)) << line;
 }
 
@@ -65,8 +67,10 @@ TEST(LayoutHeader, EachMistakeHasItsColumn) {
                     "both be words of bits");
   expect_refused_at("// attachments: material R32UI { r: albedo 8 8 8 } shininess R32UI { r: exponent 8 }",
                     "R32UI { r: exp", "holds numbers");
-  expect_refused_at("// attachments: material RGBA8 { rgb: albedo } material RGBA8 { rgb: albedo }",
-                    "material RGBA8 { rgb: albedo }", "named twice");
+  expect_refused_at(
+      "// attachments: material RGBA8 { rgb: albedo } ambient RGBA8 { rgb: ambient colour } ambient RG8 { r: "
+      "roughness }",
+      "ambient RG8", "named twice");
 }
 
 constexpr const char* kText =
@@ -82,7 +86,7 @@ TEST(LayoutFile, ItsNameSaysItsContent) {
   EXPECT_STREQ(layout_of_file(name).axis.id, "mine.glsl");
   EXPECT_STREQ(layout_of_file(name).axis.cost, "4 B/px");
 
-  write_text_file(path, std::string(kText) + "// changed\n");
+  write_text_file(path, fmt::format("{}// changed\n", kText));
   const std::string changed = name_layout_file(path);
   EXPECT_NE(changed, name) << "two contents of one path are two layouts";
   EXPECT_NE(shader_of_layout_file(changed), shader_of_layout_file(name));
@@ -94,9 +98,11 @@ TEST(LayoutFile, OneThatIsGoneOrChangedIsRefused) {
   const std::string path = (folder.path() / "mine.glsl").string();
   EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [&] { name_layout_file(path); }), "cannot be read"));
   EXPECT_TRUE(
-      contains(error_line(ExitCode::bad_input, [&] { layout_of_file(path + "@0123456789abcdef"); }), "cannot be read"));
+      contains(error_line(ExitCode::bad_input, [&] { layout_of_file(fmt::format("{}@0123456789abcdef", path)); }),
+               "cannot be read"));
   write_text_file(path, kText);
-  const std::string line = error_line(ExitCode::bad_input, [&] { layout_of_file(path + "@0123456789abcdef"); });
+  const std::string line =
+      error_line(ExitCode::bad_input, [&] { layout_of_file(fmt::format("{}@0123456789abcdef", path)); });
   EXPECT_TRUE(contains(line, "was changed")) << line;
   EXPECT_TRUE(contains(line, "--layout-file")) << line;
 }

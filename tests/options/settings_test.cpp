@@ -42,6 +42,10 @@ OptionValue random_value(const Option& o, Pcg32& random) {
     case Kind::text: break;
   }
   if (std::string(o.path) == "view.main") return views()[random.next() % views().size()].id;
+  if (std::string(o.path) == "layout-file") {  // a name with its content's hash: the file is not looked at yet
+    constexpr const char* kNames[] = {"", "a \"quoted\" \\ name@0123456789abcdef", "caf\u00e9.glsl@fedcba9876543210"};
+    return kNames[random.next() % std::size(kNames)];
+  }
   constexpr const char* kTexts[] = {"", "builtin:terrain", "a \"quoted\" \\ name", "caf\u00e9/\u6c34.gltf",
                                     "{\"x\": 1}"};
   return kTexts[random.next() % std::size(kTexts)];
