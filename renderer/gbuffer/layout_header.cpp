@@ -23,14 +23,26 @@ constexpr StoresWord kStores[] = {{"material", Stores::material, true},
                                   {"ambient", Stores::ambient, false},
                                   {"shininess", Stores::shininess, false}};
 
-constexpr std::string_view kNames[] = {"albedo", "base colour", "diffuse colour", "roughness", "metal",   "F0",     "occlusion",
-                                       "specular colour", "emission",    "exponent",  "ambient colour", "normal", "unused"};
+bool as_material(Stores what) {
+  return std::any_of(std::begin(kStores), std::end(kStores),
+                     [&](const StoresWord& s) { return s.stores == what && s.as_material; });
+}
+
+constexpr std::string_view kNames[] = {
+    "albedo",          "base colour", "diffuse colour", "roughness",      "metal",  "F0",    "occlusion",
+    "specular colour", "emission",    "exponent",       "ambient colour", "normal", "unused"};
 
 constexpr int kNoNumber = -1;
 int whole(std::string_view text) {
   int n = kNoNumber;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
   return error == std::errc() && end == text.data() + text.size() ? n : kNoNumber;
+}
+
+const HeaderAttachment* find(const LayoutHeader& h, Stores what) {
+  for (const HeaderAttachment& a : h.attachments)
+    if (a.stores == what) return &a;
+  return nullptr;
 }
 
 bool words_format(Format f) { return row(f).numeric == Numeric::uint; }
@@ -45,7 +57,7 @@ class Reader {
     if (!rest_.starts_with(kBegin)) bad(rest_, fmt::format("the first line must begin with \"{}\"", kBegin), kExample);
     rest_.remove_prefix(kBegin.size());
     while (!(rest_ = trimmed(rest_)).empty()) read_attachment();
-    if (header_.attachments.empty()) bad(rest_, "no attachment is named", kExample);
+    if (!find(header_, Stores::material)) bad(rest_, "no attachment is the material", kExample);
     return std::move(header_);
   }
 
@@ -103,8 +115,6 @@ class Reader {
     const auto found = std::find(known.begin(), known.end(), word);
     if (found == known.end()) bad(word, fmt::format("unknown attachment '{}'", word), suggest(word, known));
     const StoresWord& s = kStores[found - known.begin()];
-    const bool first = header_.attachments.empty();
-    if (first && s.stores != Stores::material) bad(word, "the first attachment must be the material");
     for (const HeaderAttachment& a : header_.attachments)
       if (a.stores == s.stores) bad(word, fmt::format("'{}' is named twice", word));
     return s;
@@ -119,12 +129,13 @@ class Reader {
     if (found == known.end()) bad(word, fmt::format("unknown format '{}'", word), suggest(word, known));
     const auto* format =
         std::find_if(std::begin(kFormats), std::end(kFormats), [&](const FormatRow& f) { return word == f.label; });
-    const bool material_words =
-        header_.attachments.empty() ? words_format(format->format) : words_format(header_.attachments[0].format);
-    if (!stores.as_material && words_format(format->format))
+    const bool words = words_format(format->format);
+    if (!stores.as_material && words)
       bad(word, fmt::format("{} holds numbers, not whole words of bits", stores.word), "choose a format without UI");
-    if (stores.as_material && words_format(format->format) != material_words)
-      bad(word, fmt::format("{} and the material must both be words of bits (UI) or both be numbers", stores.word));
+    for (const HeaderAttachment& a : header_.attachments)
+      if (stores.as_material && as_material(a.stores) && words_format(a.format) != words)
+        bad(word, fmt::format("{} and {} must both be words of bits (UI) or both be numbers", stores.word,
+                              a.name.substr(a.name.find('.') + 1)));
     return format->format;
   }
 
@@ -228,18 +239,25 @@ LayoutRow LayoutHeader::row() const {
   LayoutRow out;
   const bool specular = holds("F0") || holds("specular colour"), rough = holds("roughness") || holds("exponent");
   out.shows = rough ? MaterialView::roughness : specular ? MaterialView::specular : MaterialView::nothing;
+  const char* const shown = holds("roughness") ? "roughness"
+                            : rough            ? "exponent"
+                            : holds("F0")      ? "F0"
+                                               : "specular colour";
   for (const HeaderAttachment& a : attachments)
     for (const std::string& name : a.holds)
-      if (name == (holds("roughness") ? "roughness" : rough ? "exponent" : "F0")) out.shows_stored = a.stores;
-  out.words = words_format(attachments[0].format);
-  out.floats = attachments[0].format == Format::rgba32f;
+      if (name == shown) out.shows_stored = a.stores;
+  const HeaderAttachment& material = *find(*this, Stores::material);
+  out.words = words_format(material.format);
+  out.floats = material.format == Format::rgba32f;
   out.keeps_emission = holds("emission");
   out.keeps = {.reflectance = specular || holds("metal"),
                .metal = holds("metal"),
                .occlusion = holds("occlusion"),
                .ambient = holds("ambient colour"),
                .exponent = holds("exponent")};
-  out.alpha_marks = !out.words && attachments[0].contents.find("a: 1 where a surface is") != std::string::npos;
+  const HeaderAttachment* const ambient = find(*this, Stores::ambient);  // gbuffer_read.glsl asks this one first
+  const std::string& marked = (ambient ? *ambient : material).contents;
+  out.alpha_marks = (ambient || !out.words) && marked.find("a: 1 where a surface is") != std::string::npos;
   out.normal_bits = normal_bits;
   for (size_t i = 0; i < attachments.size(); ++i) {
     const HeaderAttachment& a = attachments[i];

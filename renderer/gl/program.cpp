@@ -16,6 +16,9 @@ namespace {
 
 constexpr const char* kPrelude = "#version 330 core\n#define real float\n";
 constexpr const char* kComputePrelude = "#version 430 core\n#define real float\n";
+// Lines of the n-th file count from n times this: Mesa says of some errors that they are in file 0, whichever it is.
+constexpr size_t kMostLines = 100'000;
+
 constexpr const char* kTessellationPrelude = "#version 400 core\n#define real float\n";
 
 constexpr const char* prelude_of(Kind stage) {
@@ -43,10 +46,13 @@ std::string included_file(const std::string& line, const Defines& defines, std::
 }
 
 void append_file(ShaderText& out, const std::string& name, const Defines& defines) {
-  const int file = static_cast<int>(out.files.size());
+  const size_t file = out.files.size();
+  const auto line_marker = [&](int number) {
+    return fmt::format("#line {} {}\n", file * kMostLines + static_cast<size_t>(number), file);
+  };
   out.files.push_back(name);
   std::istringstream text(resource(name));
-  out.body += fmt::format("#line 1 {}\n", file);
+  out.body += line_marker(1);
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
     const std::string included = included_file(line, defines, fmt::format("{}:{}", shown_name(name), number));
@@ -55,7 +61,7 @@ void append_file(ShaderText& out, const std::string& name, const Defines& define
       continue;
     }
     if (std::find(out.files.begin(), out.files.end(), included) == out.files.end()) append_file(out, included, defines);
-    out.body += fmt::format("#line {} {}\n", number + 1, file);
+    out.body += line_marker(number + 1);
   }
 }
 
@@ -135,12 +141,12 @@ ShaderText load_shader(std::string_view name, const Defines& defines) {
 std::string readable_log(std::string_view log, const ShaderText& text) {
   static const std::regex kPlace(R"(^\s*(?:ERROR: )?(\d+)[:(](\d+)[^:]*:\s*(.*)$)");
   std::istringstream lines{std::string(log)};
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string said; std::getline(lines, said);) {
     std::smatch m;
-    if (!std::regex_match(line, m, kPlace) || line.find("warning") != std::string::npos) continue;
-    const size_t file = std::stoul(m[1]);
+    if (!std::regex_match(said, m, kPlace) || said.find("warning") != std::string::npos) continue;
+    const size_t line = std::stoul(m[2]), file = std::max(line / kMostLines, std::stoul(m[1]));
     const std::string where = file < text.files.size() ? shown_name(text.files[file]) : text.name;
-    return fmt::format("{}:{}: {}", where, m[2].str(), m[3].str());
+    return fmt::format("{}:{}: {}", where, line % kMostLines, m[3].str());
   }
   return fmt::format("{}: {}", text.name, log);
 }

@@ -24,12 +24,18 @@ size_t size_of(const std::vector<PathValues>& product) {
   return cases;
 }
 
+// A user's file stands in the place of a layout: whichever of the two varies takes the other's place in the base.
+bool one_place(std::string_view a, std::string_view b) {
+  const auto is_layout = [](std::string_view path) { return path == "layout" || path == "layout-file"; };
+  return a == b || (is_layout(a) && is_layout(b));
+}
+
 // What varies goes over the base.
 std::vector<Coordinate> over_base(const std::vector<Coordinate>& base, const std::vector<Coordinate>& at) {
   std::vector<Coordinate> all = at;
   for (const Coordinate& c : base) {
     bool given = false;
-    for (const Coordinate& own : at) given |= own.path == c.path;
+    for (const Coordinate& own : at) given |= one_place(own.path, c.path);
     if (!given) all.push_back(c);
   }
   return all;

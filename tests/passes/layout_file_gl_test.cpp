@@ -53,7 +53,7 @@ TEST_F(LayoutFiles, TheLabsOwnAsAFileGiveTheSameBits) {
     const FrameReport report = stage.draw(mine);
     EXPECT_EQ(stored(stage.targets), expected) << gbl::row(l).id;
     EXPECT_EQ(report.gbuffer_bytes_per_pixel, gbuffer_bytes_per_pixel(own)) << gbl::row(l).id;
-    EXPECT_EQ(stage.view(View::roughness, mine), stage.view(View::roughness, own)) << gbl::row(l).id;
+    EXPECT_EQ(stage.view(View::material, mine), stage.view(View::material, own)) << gbl::row(l).id;
   }
 }
 
