@@ -95,6 +95,7 @@ class Fields {
   void add_numbers(std::string_view channels, std::string_view text) {
     StoredField f{.name = std::string(text.substr(0, text.find(", "))), .components = {}, .kind = kind()};
     f.srgb = contains(text, "sRGB-coded");
+    if (contains(text, "displayed")) f.scale = 1 / s_.exposure;
     if (const size_t by = f.name.find(" / "); by != std::string::npos) {
       f.scale = std::stod(f.name.substr(by + 3));
       f.name.resize(by);

@@ -129,6 +129,9 @@ TEST(StoredFields, SayHowNumbersAreMeant) {
   s.layout = Layout::exact_emission;
   s.exposure = 4;
   EXPECT_EQ(field("gbuffer.emission", "emission").scale, 0.25);
+  const Attachment numbers = {"gbuffer.emission", Pass::geometry, Stores::emission, Format::rgba8,
+                              "rgb: emission, sRGB-coded as displayed; a: 1"};  // as a layout file may have it
+  EXPECT_EQ(stored_fields(s, numbers)[0].scale, 0.25);
 }
 
 }  // namespace

@@ -24,6 +24,10 @@ TEST(Captions, SayWhatChangedWhatItCostsAndWhetherItIsSound) {
   EXPECT_EQ(describe_change(automatic, after).pitfall, "") << "auto leaves out what is unsound";
   EXPECT_NE(describe_change(automatic, after).text.find("only while this choice is sound"), std::string::npos);
   after = before;
+  after.layout_file = "folder/mine.glsl@0123456789abcdef";
+  EXPECT_EQ(value_text(option("layout"), after), "mine.glsl") << "it is what is drawn";
+  EXPECT_EQ(value_text(option("layout"), before), row(before.layout).label);
+  after = before;
   after.camera.position.x += 1;
   EXPECT_TRUE(describe_change(before, after).text.empty());
 }
