@@ -136,14 +136,15 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   }
   if (command == "exercise") {
     CLI::Option* name = app.add_option("name", a.what, "an exercise; without one all are listed");
-    app.add_option("-o,--output", a.output,
-                   "folder for task, state, answer and pictures, made if need be; then no window opens (default: "
-                   "out/exercises/NAME)");
+    CLI::Option* output = app.add_option("-o,--output", a.output,
+                                         "folder for task, state, answer and pictures, made if need be; then no window "
+                                         "opens (default: out/exercises/NAME)");
     CLI::Option* check =
         app.add_option("--check", a.check, "judge this answer's file; -: standard input. Exit code 1: it is wrong");
     CLI::Option* grade = app.add_option("--grade", a.grade,
                                         "judge a class: FOLDER/STUDENT/EXERCISE.json or FOLDER/STUDENT-EXERCISE.json");
-    grade->excludes(name)->excludes(check);
+    check->excludes(output);
+    grade->excludes(name)->excludes(check)->excludes(output);
     app.add_flag("--csv", a.csv, "with --grade: a line for each answer")->needs(grade)->excludes(json);
     add_number(app, "--limit", a.limit_s, "seconds that one answer may take (default: 60)", 0.1, 86400);
     app.add_flag("--here", a.here, "judge in this process and not in one of its own")->needs(check)->group("");

@@ -95,32 +95,36 @@ ExitCode check(const Arguments& a, const Exercise& e) {
   return v.right ? ExitCode::done : ExitCode::check_failed;
 }
 
+void print(const GradeRow& r, bool csv) {
+  if (csv)
+    fmt::print("{}", csv_line(r));
+  else
+    fmt::print("{:<16} {:<24} {:<6} {}\n", r.student, r.exercise, r.right ? "right" : "wrong", r.note);
+  flush_output();  // whoever stops it keeps what is done
+}
+
+Json json_of(const GradeRow& r) {
+  return {
+      {"student", r.student}, {"exercise", r.exercise}, {"right", r.right}, {"measure", r.measure}, {"note", r.note}};
+}
+
 ExitCode grade_class(const Arguments& a) {
   const std::vector<GradeFile> files = answers_in(*a.grade);
   if (files.empty())
     throw Error(ExitCode::bad_input, a.grade->string(), "holds no answers",
                 "name them STUDENT/EXERCISE.json or STUDENT-EXERCISE.json");
-  std::vector<GradeRow> rows;
-  const bool terminal = isatty(STDERR_FILENO);
-  for (const GradeFile& f : files) {
-    if (terminal) fmt::print(stderr, "\r\033[K{} of {}: {} {}", rows.size() + 1, files.size(), f.student, f.exercise);
-    rows.push_back(grade(f, wishes_of(a)));
-  }
-  if (terminal) fmt::print(stderr, "\r\033[K");
-  if (a.csv) {
-    fmt::print("{}", csv_of(rows));
-    return ExitCode::done;
-  }
+  if (a.csv) fmt::print("{}", kGradeHeader);
   Json all = Json::array();
-  for (const GradeRow& r : rows) {
+  const bool terminal = isatty(STDERR_FILENO);
+  for (size_t i = 0; i < files.size(); ++i) {
+    const GradeFile& f = files[i];
+    if (terminal) fmt::print(stderr, "\r\033[K{} of {}: {} {}", i + 1, files.size(), f.student, f.exercise);
+    const GradeRow row = grade(f, wishes_of(a));
+    if (terminal) fmt::print(stderr, "\r\033[K");
     if (a.json)
-      all.push_back({{"student", r.student},
-                     {"exercise", r.exercise},
-                     {"right", r.right},
-                     {"measure", r.measure},
-                     {"note", r.note}});
+      all.push_back(json_of(row));
     else
-      fmt::print("{:<16} {:<24} {:<6} {}\n", r.student, r.exercise, r.right ? "right" : "wrong", r.note);
+      print(row, a.csv);
   }
   if (a.json) fmt::print("{}\n", all.dump(2));
   return ExitCode::done;
@@ -130,6 +134,8 @@ ExitCode grade_class(const Arguments& a) {
 
 ExitCode run_exercise(const Arguments& a) {
   if (a.grade) return grade_class(a);
+  if (a.limit_s && !a.check)
+    throw Error(ExitCode::bad_input, "--limit", "limits nothing here", "give it with --check or --grade");
   if (a.what.empty()) {
     if (a.check) throw Error(ExitCode::bad_input, "--check", "names no exercise", "write exercise NAME --check FILE");
     return list_exercises(a);

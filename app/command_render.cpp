@@ -162,7 +162,8 @@ ExitCode run_render(const Arguments& a) {
   if (a.sheet) {
     writer.write("sheet.png", sheet_of(a, lab, shown), texts(all + " --sheet"));
     const Preset* p = preset_of(s);
-    write_text_file(folder / "packing.svg", packing_svg(lab.report().drawn, p ? p->id : layout_of(lab.report().drawn).axis.id));
+    write_text_file(folder / "packing.svg",
+                    packing_svg(lab.report().drawn, p ? p->id : layout_of(lab.report().drawn).axis.id));
   }
   write_text_file(folder / "settings.json", settings_text(s) + "\n");
   const std::vector<std::string> files = writer.finish();

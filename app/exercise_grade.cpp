@@ -81,12 +81,9 @@ GradeRow grade(const GradeFile& file, const CheckWishes& wishes) {
   return row;
 }
 
-std::string csv_of(std::span<const GradeRow> rows) {
-  std::string out = "student,exercise,right,measure,note\n";
-  for (const GradeRow& r : rows)
-    out += fmt::format("{},{},{},{},{}\n", quoted(r.student), quoted(r.exercise), r.right ? "yes" : "no",
-                       quoted(r.measure), quoted(r.note));
-  return out;
+std::string csv_line(const GradeRow& r) {
+  return fmt::format("{},{},{},{},{}\n", quoted(r.student), quoted(r.exercise), r.right ? "yes" : "no",
+                     quoted(r.measure), quoted(r.note));
 }
 
 }  // namespace gbl

@@ -21,7 +21,8 @@ struct GradeRow {
 // Never throws for what is wrong with an answer: that is its row.
 GradeRow grade(const GradeFile&, const CheckWishes&);
 
-// "student,exercise,right,measure,note" and a line for each row; RFC 4180.
-std::string csv_of(std::span<const GradeRow>);
+// Lines of RFC 4180.
+inline constexpr const char* kGradeHeader = "student,exercise,right,measure,note\n";
+std::string csv_line(const GradeRow&);
 
 }  // namespace gbl

@@ -27,7 +27,7 @@ std::string known_choice(const Exercise& e, const Json& answer, const std::strin
   if (!answer.is_string())
     throw Error(ExitCode::bad_input, place, fmt::format("the answer is {}, not a choice in quotes", answer.dump()),
                 suggest("", known));
-  const std::string id = answer.get<std::string>();
+  std::string id = answer.get<std::string>();
   if (std::find(known.begin(), known.end(), id) == known.end())
     throw Error(ExitCode::bad_input, place, fmt::format("'{}' is no choice", id), suggest(id, known));
   return id;
