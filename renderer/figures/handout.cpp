@@ -78,7 +78,7 @@ std::string for_the_class(const Lesson& lesson) {
       lesson.id);
   if (lesson.exercises.empty()) return out;
   out += "\nExercises that go with it. Each writes its task and what to begin with:\n\n```\n";
-  for (const std::string& e : lesson.exercises) out += fmt::format("gbufferlab exercise {} -o out/exercises\n", e);
+  for (const std::string& e : lesson.exercises) out += fmt::format("gbufferlab exercise {0} -o out/exercises/{0}\n", e);
   return out +
          "gbufferlab exercise --grade answers --csv\n```\n\nThe last line checks the answers of the class, a folder "
          "for each student.\n";
