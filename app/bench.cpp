@@ -93,6 +93,14 @@ void Bench::judge() {
 
 MeasuredColumns Bench::row() const { return {cells_of({report_, errors_, timing_, machine_}), report_.drawn}; }
 
+Image Bench::picture() {
+  renderer_.draw_view(View::final, settings_, *scene_, targets_);
+  const gl::Texture& t = targets_.canvases.drawn_view(View::final)->texture;
+  return image_from_gl_rows(t.size, gl::read_rgba8(t));
+}
+
+Thumbnails Bench::thumbnails() { return make_thumbnails(picture(), truth_->truth, drawn_.lit, display_of(settings_)); }
+
 double Bench::total_ms() const {
   const auto total = timing_.pass_ms.find("total");
   return total == timing_.pass_ms.end() ? INFINITY : spread_of(total->second).median;

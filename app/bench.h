@@ -3,6 +3,7 @@
 // In steps of a frame or less, with targets of its own, so that a window can go on drawing in between.
 #include "app/truth_keeper.h"
 #include "renderer/frame/estimate.h"
+#include "renderer/study/page/thumbnails.h"
 #include "renderer/study/rows/study_row.h"
 
 namespace gbl {
@@ -37,6 +38,8 @@ class Bench {
   const FrameReport& report() const { return report_; }
   const std::shared_ptr<const TruthSet>& truth() const { return truth_; }  // null without errors
   const Drawn& drawn() const { return drawn_; }
+  Image picture();          // of the frame measured last: the view `final`; waits for the GPU
+  Thumbnails thumbnails();  // of the same; needs errors
   // The bound of renderer/truth/measure.h, of the frame measured last (needs errors).
   BoundCheck bound(double display_difference) const;
 

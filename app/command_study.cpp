@@ -11,6 +11,7 @@
 #include "app/headless.h"
 #include "app/interrupt.h"
 #include "app/lab.h"
+#include "app/picture_texts.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/made_by.h"
@@ -68,13 +69,17 @@ std::vector<StudyRow> rows_of(const StudyPlan& plan, const std::vector<StudyRow>
   return out;
 }
 
-MeasuredColumns measured_columns(Lab& lab, Bench& bench, const Settings& s) {
+// Its pictures come first: a row that is kept has them.
+MeasuredColumns measured_columns(Lab& lab, Bench& bench, const Settings& s, const fs::path& folder) {
   require_valid(s, lab.limits());
   lab.open(s.scene);
   bench.start(s, lab.gpu_scene(), {});
   bench.step(true);
+  write_thumbnails(folder, row_key(s), bench.thumbnails());
   return bench.row();
 }
+
+std::string bench_command(const Settings& s) { return command_line("gbufferlab bench", s); }
 
 }  // namespace
 
@@ -93,16 +98,16 @@ ExitCode run_study_command(const Arguments& a) {
   Bench bench(lab.renderer(), lab.cost(), lab.machine(), 3);
   const InterruptScope scope;
   const StudyCounts counts = run_study(
-      plan, shard, journal, [&](const StudyCase& c) { return measured_columns(lab, bench, c.settings); },
+      plan, shard, journal, [&](const StudyCase& c) { return measured_columns(lab, bench, c.settings, folder); },
       print_progress, scope.interrupted());
   const std::vector<StudyRow> rows = rows_of(plan, journal.rows());
-  write_study_files(folder, spec, rows, lab.machine());
+  write_study_files(folder, spec, rows, lab.machine(), bench_command);
   const std::string summary = fmt::format("{}: {} rows measured, {} found, {} failed, {} left", spec.name,
                                           counts.measured, counts.before, counts.failed, counts.left);
   if (a.json)
     fmt::print("{}\n", study_json(spec, rows, lab.machine()).dump(2));
   else
-    fmt::print("{}; study.csv, .json, .svg, .png in {}\n", summary, folder.string());
+    fmt::print("{}; study.html, .csv, .json, .svg, .png in {}\n", summary, folder.string());
   if (scope.interrupted()) return ExitCode::interrupted;
   return counts.failed > 0 ? ExitCode::check_failed : ExitCode::done;
 }

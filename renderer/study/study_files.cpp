@@ -140,10 +140,11 @@ Json study_json(const StudySpec& spec, const std::vector<StudyRow>& rows, const 
 }
 
 void write_study_files(const std::filesystem::path& folder, const StudySpec& spec, const std::vector<StudyRow>& rows,
-                       const Machine& machine) {
+                       const Machine& machine, const CommandFn& command) {
   make_folder(folder);
   write_text_file(folder / "study.csv", study_csv(rows, machine));
   write_text_file(folder / "study.json", study_json(spec, rows, machine).dump(1) + "\n");
+  write_text_file(folder / "study.html", page_html(study_page(spec, rows, machine, command, folder)));
   write_charts(folder, spec, rows, machine);
 }
 

@@ -4,15 +4,12 @@
 #include "renderer/truth/pixel_maths.h"
 
 namespace gbl {
-namespace {
 
 // Radiance first: a clamped infinity would look like white.
 double display_difference(const Display& display, const glm::dvec3& radiance, const glm::dvec3& shown_truth) {
   if (!finite(radiance)) return std::numeric_limits<double>::infinity();
   return largest_magnitude(displayed(display, radiance) - shown_truth);
 }
-
-}  // namespace
 
 BoundCheck check_bound(const Truth& truth, std::span<const glm::vec3> lit, std::span<const glm::vec3> witness_lit,
                        const Display& display, double bound) {

@@ -15,6 +15,8 @@ struct Display {
   Colour colour = Colour::srgb;
 };
 glm::dvec3 displayed(const Display&, const glm::dvec3& radiance);
+// Of the largest channel, 0..1; infinite where the radiance is not finite.
+double display_difference(const Display&, const glm::dvec3& radiance, const glm::dvec3& shown_truth);
 
 // Empty: nothing to measure (no surface is seen, or the attachment is not stored). Non-finite pixels are counted in
 // nonfinite_pixels; for shares they are over every bound, from means and percentiles they are left out (FLIP's mean

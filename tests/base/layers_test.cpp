@@ -72,6 +72,7 @@ const char* const kRooms[] = {
     "renderer/figures",
     "renderer/study/rows",
     "renderer/study/charts",
+    "renderer/study/page",
     "renderer/study",
     "renderer/study/stability",
     "renderer/study/pitfalls",

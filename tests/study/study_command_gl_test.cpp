@@ -62,14 +62,17 @@ TEST_F(Program, AStudyWritesItsFilesAndGoesOnWhereItStopped) {
   EXPECT_EQ(run(spec(3)), 0) << text("err");
   EXPECT_EQ(lines("rows.jsonl"), 3u);
   EXPECT_TRUE(contains(text("out"), "2 rows measured, 1 found"));
-  for (const char* file : {"study.csv", "study.json"}) EXPECT_GT(text(file).size(), 100u) << file;
+  for (const char* file : {"study.csv", "study.json", "study.html"}) EXPECT_GT(text(file).size(), 100u) << file;
   const Json study = parse_json(text("study.json"), "study.json");
   ASSERT_EQ(study["rows"].size(), 3u);
   for (const Json& row : study["rows"]) {
     EXPECT_GT(row["compared_pixels"].get<double>(), 100) << "errors are measured";
     EXPECT_GT(row["frames"].get<int>(), 0) << "a time never stands without its error, nor an error without its time";
     EXPECT_TRUE(row["driver"].is_string());
+    for (const char* ending : {".jpg", ".png"})
+      EXPECT_TRUE(fs::exists(folder_ / "thumbs" / (row["key"].get<std::string>() + ending))) << "of either run";
   }
+  EXPECT_FALSE(contains(text("study.html"), "no picture"));
 }
 
 // Nothing is lost but the row under way.

@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 
 const Machine kMachine{"Mesa 22.3", "llvmpipe"};
 
+std::string command_of(const Settings& s) { return "gbufferlab bench --set layout=" + std::string(row(s.layout).id); }
+
 StudySpec spec_with_label(const std::string& label) {
   StudySpec spec = parse_study(R"({"name": "t", "x": "mib", "y": "rmse_linear"})", "t.json");
   spec.label = label;
@@ -133,7 +135,7 @@ TEST(StudyFiles, AreAllWritten) {
   NEEDS_GNUPLOT();
   const TemporaryFolder folder("study-files");
   const fs::path out = folder / "new/deep";
-  write_study_files(out, spec_with_label("Speed & accuracy"), rows(), kMachine);
+  write_study_files(out, spec_with_label("Speed & accuracy"), rows(), kMachine, command_of);
   EXPECT_TRUE(Json::parse(bytes_of(out / "study.json")).is_object());
   const std::string svg = bytes_of(out / "study.svg");
   for (const char* part : {"<svg", "Speed &amp; accuracy", "llvmpipe, 640x360 pixels, times by software-rasteriser",
@@ -143,7 +145,11 @@ TEST(StudyFiles, AreAllWritten) {
   EXPECT_EQ(read_png(out / "study.png").size, glm::ivec2(1280, 800));
   size_t files = 0;
   for ([[maybe_unused]] const auto& entry : fs::directory_iterator(out)) ++files;
-  EXPECT_EQ(files, 4u) << "nothing temporary is left";
+  EXPECT_EQ(files, 5u) << "nothing temporary is left";
+  const std::string page = bytes_of(out / "study.html");
+  for (const char* part : {"Speed &amp; accuracy", "all targets of a frame [MiB]", "llvmpipe", "Mesa 22.3",
+                           "failed: no memory", "Layout:", "gbufferlab bench --set layout=", "no picture"})
+    EXPECT_TRUE(contains(page, part)) << part;
 }
 
 TEST(StudyFiles, NothingInATextIsACommand) {
@@ -156,7 +162,7 @@ TEST(StudyFiles, NothingInATextIsACommand) {
   list[0].at.push_back({"lights.method", hostile});
   list[2].at = {{"preset", hostile}};
   test::put(list[0], "device", hostile);
-  write_study_files(folder / "out", spec_with_label(hostile), list, kMachine);
+  write_study_files(folder / "out", spec_with_label(hostile), list, kMachine, command_of);
   EXPECT_FALSE(fs::exists(touched));
   const std::string svg = bytes_of(folder / "out/study.svg");
   EXPECT_TRUE(contains(svg, "it&apos;s `touch") || contains(svg, "it's `touch")) << "shown as it is";
@@ -181,21 +187,35 @@ TEST(StudyFiles, WithoutGnuplotTheTablesAreThere) {
   const TemporaryFolder folder("study-no-gnuplot");
   const std::string before = std::getenv("PATH");
   setenv("PATH", folder.path().c_str(), 1);
-  const std::string line = error_line(
-      ExitCode::unfinished, [&] { write_study_files(folder / "out", spec_with_label("T"), rows(), kMachine); });
+  const std::string line = error_line(ExitCode::unfinished, [&] {
+    write_study_files(folder / "out", spec_with_label("T"), rows(), kMachine, command_of);
+  });
   setenv("PATH", before.c_str(), 1);
   EXPECT_TRUE(contains(line, "gnuplot-nox")) << line;
   EXPECT_TRUE(fs::exists(folder / "out/study.csv"));
   EXPECT_TRUE(fs::exists(folder / "out/study.json"));
+  EXPECT_TRUE(fs::exists(folder / "out/study.html"));
   EXPECT_FALSE(fs::exists(folder / "out/study.svg"));
 }
 
 TEST(StudyFiles, NothingToDrawIsSaid) {
   const TemporaryFolder folder("study-nothing");
-  const std::string line = error_line(
-      ExitCode::unfinished, [&] { write_study_files(folder.path(), spec_with_label("T"), {rows()[3]}, kMachine); });
+  const std::string line = error_line(ExitCode::unfinished, [&] {
+    write_study_files(folder.path(), spec_with_label("T"), {rows()[3]}, kMachine, command_of);
+  });
   EXPECT_TRUE(contains(line, "no row has both mib and rmse_linear")) << line;
   EXPECT_TRUE(fs::exists(folder / "study.csv"));
+  EXPECT_TRUE(contains(bytes_of(folder / "study.html"), "1 have no finite value")) << "the page says so and is there";
+}
+
+// All rows failed, or none was measured: the page is there and says so.
+TEST(StudyFiles, APageNeedsNoPoint) {
+  const TemporaryFolder folder("study-page");
+  const std::vector<std::vector<StudyRow>> lists = {{}, {test::failed_row_of("e", "no memory")}};
+  for (const std::vector<StudyRow>& list : lists) {
+    const std::string page = page_html(study_page(spec_with_label("T"), list, kMachine, command_of, folder.path()));
+    EXPECT_TRUE(contains(page, list.empty() ? "None has been measured" : "failed: no memory"));
+  }
 }
 
 TEST(Gnuplot, ARefusedScriptIsAnErrorOfOneLine) {

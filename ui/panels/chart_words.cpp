@@ -3,26 +3,11 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/study/rows/row_words.h"
 #include "ui/panels/chart_view.h"
 
 namespace gbl::ui {
 namespace {
-
-const Option* option_or_null(std::string_view path) {
-  for (const Option& o : options())
-    if (o.path == path) return &o;
-  return nullptr;
-}
-
-// "Method: Tiled, 16x16 px", as the control column calls it.
-std::string coordinate_text(const std::string& path, const OptionValue& value) {
-  const Option* o = option_or_null(path);
-  if (!o) return fmt::format("{}: {}", path == "lights" ? "Lights" : path == "preset" ? "Preset" : path, plain(value));
-  if (o->kind == Kind::choice)
-    for (const ValueRow& r : o->values)
-      if (value == OptionValue(r.id)) return fmt::format("{}: {}", o->label, r.label);
-  return fmt::format("{}: {}", o->label, plain(value));
-}
 
 std::string with_unit(double value, const StudyColumn& c) {
   return fmt::format("{:.4g}{}{}", value, c.unit.empty() ? "" : " ", c.unit);
@@ -59,9 +44,7 @@ std::string error_text(const StudyRow& row, const StudyColumn& c) {
 }
 
 Field sound_field(const Settings& s) {
-  std::set<std::string> pitfalls;  // two choices may share one
-  for (const Unsound& u : unsound_choices(s)) pitfalls.insert(u.pitfall);
-  const std::string text = fmt::format("{}", fmt::join(pitfalls, ", "));
+  const std::string text = unsound_words(s);
   if (text.empty()) return {"sound", "yes", theme().text};
   return {"sound", fmt::format("{} unsound: {}", kUnsoundSign, text), theme().unsound};
 }
@@ -69,13 +52,12 @@ Field sound_field(const Settings& s) {
 }  // namespace
 
 std::string row_title(const ChartInput& in, size_t index) {
-  std::string text;
+  std::string text = row_words(in.rows[index]);
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : " · ") + words; };
-  for (const Assignment& a : in.rows[index].at) add(coordinate_text(a.path, a.value));
   if (!text.empty() || index >= in.settings.size()) return text;
   for (const FamilyPath& family : family_paths()) {  // tried by hand: no study says in what it differs
     const Option& o = option(family.path);
-    add(coordinate_text(o.path, o.get(in.settings[index])));
+    add(coordinate_words(o.path, o.get(in.settings[index])));
   }
   return text;
 }

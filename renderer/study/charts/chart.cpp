@@ -29,6 +29,7 @@ ChartPoint point_of(const StudyRow& row, size_t index, double cost, double error
           .label = preset ? plain(*preset) : row.name,
           .family = family_of(row, family),
           .preset = preset != nullptr,
+          .sound = sound(row.settings),
           .row = index};
 }
 
@@ -42,7 +43,8 @@ void mark_front(Chart& chart) {
 }  // namespace
 
 std::string axis_title(const StudyColumn& c) {
-  return c.unit.empty() ? c.label : fmt::format("{} [{}]", c.label, c.unit);
+  const std::string unit = c.is_share() ? "%" : c.unit;
+  return unit.empty() ? c.label : fmt::format("{} [{}]", c.label, unit);
 }
 
 Chart chart_points(const std::vector<StudyRow>& rows, std::string_view x, std::string_view y, std::string_view family) {

@@ -11,13 +11,14 @@
 
 namespace gbl {
 
-std::string axis_title(const StudyColumn&);  // with the unit
+std::string axis_title(const StudyColumn&);  // with the unit; a share in %
 
 struct ChartPoint {
   double cost = 0, error = 0;
   std::string label;   // the preset's id, or the case
   std::string family;  // the value at the family's path
   bool preset = false;
+  bool sound = true;  // no choice with a known failure
   bool on_front = false;
   size_t row = 0;  // of the rows given
 };
@@ -42,8 +43,10 @@ std::vector<bool> pareto_front(std::span<const CostError>);
 struct ChartAxis {
   bool logarithmic = true;
   std::optional<double> zero_at;  // there are zeros
+  bool percent = false;           // shares: their ticks are written in %
   double low = 0.1, high = 10;    // a little beyond the values
   double place(double value) const { return zero_at && !(value > 0) ? *zero_at : value; }
+  double along(double value) const;  // 0 at the low end, 1 at the high one; what is beyond or not finite: at an end
 };
 ChartAxis axis_for(const StudyColumn&, const std::vector<double>& values);
 

@@ -5,15 +5,26 @@
 #include <glm/glm.hpp>
 
 #include "renderer/study/charts/gnuplot.h"
+#include "renderer/study/charts/label_places.h"
 
 namespace gbl {
 namespace {
 
 // Okabe and Ito 2008, "Color Universal Design", without their yellow: too pale on white.
 constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
-// gnuplot's numbers: disc, square, triangles, diamond, pentagon; the same open; plus, cross, star. 13 shapes and 7
-// colours have no common factor: 91 families differ, neighbours in both.
-constexpr int kShapes[] = {7, 5, 9, 11, 13, 15, 6, 4, 8, 10, 12, 14, 1};
+// gnuplot's numbers: disc, square, triangles, diamond, pentagon; filled where sound, open where not. 6 shapes and 7
+// colours meet again after 42 families; neighbours differ in both.
+struct Shape {
+  int filled, open;
+};
+constexpr Shape kShapes[] = {{7, 6}, {5, 4}, {9, 8}, {11, 10}, {13, 12}, {15, 14}};
+
+// Pixels of the picture; the frame's place in it is fixed, so that names can be kept apart from marks.
+constexpr glm::dvec2 kPicture{1280, 800};
+constexpr glm::dvec2 kFrameFrom{0.085, 0.1}, kFrameTo{0.755, 0.91};  // shares of the picture
+constexpr glm::dvec2 kFrame = kPicture * (kFrameTo - kFrameFrom);
+constexpr glm::dvec2 kLetter{9.2, 18};   // of a name, on the average
+constexpr double kMark = 7, kRing = 12;  // radii
 
 // A text as a field of a data block.
 std::string field(std::string text) {
@@ -33,12 +44,19 @@ Places places_of(const Chart& chart) {
   return {axis_for(chart.x, costs), axis_for(chart.y, errors)};
 }
 
+// gnuplot takes a tick's label for a format of its number.
+std::string tick_text(const std::string& label) {
+  const bool percent = label.ends_with('%');
+  return "'" + label + (percent ? "%'" : "'");
+}
+
 std::string axis_lines(const char* name, const StudyColumn& column, const ChartAxis& axis) {
   std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name, gnuplot_text(axis_title(column)),
                                  axis.low, axis.high);
   if (axis.logarithmic) text += fmt::format("set logscale {}\n", name);
   std::string ticks;
-  for (const ChartTick& t : ticks_of(axis)) ticks += fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", t.label, t.at);
+  for (const ChartTick& t : ticks_of(axis))
+    ticks += fmt::format("{}{} {}", ticks.empty() ? "" : ", ", tick_text(t.label), t.at);
   return text + fmt::format("set {}tics ({})\n", name, ticks);
 }
 
@@ -62,77 +80,99 @@ std::string preset_block(const Chart& chart, const Places& places) {
   return text + "EOD\n";
 }
 
-// A label's place about its point, in characters of the chart's font.
-struct LabelPlace {
-  double x, y;
-  const char* align;
-};
-constexpr LabelPlace kLabelPlaces[] = {{0, 1, "center"},   {1.4, 0, "left"},    {-1.4, 0, "right"}, {0, -1, "center"},
-                                       {1.4, 1, "left"},   {-1.4, 1, "right"},  {1.4, -1, "left"},  {-1.4, -1, "right"},
-                                       {0, 2, "center"},   {0, -2, "center"},   {1.4, 2, "left"},   {1.4, -2, "left"},
-                                       {-1.4, 2, "right"}, {-1.4, -2, "right"}, {0, 3, "center"},   {0, -3, "center"}};
-
-struct LabelBox {
-  double left, right, low, high;  // in characters, from the chart's corner
-  bool meets(const LabelBox& b) const { return left < b.right && b.left < right && low < b.high && b.low < high; }
-};
-
-// About as many characters as the frame is wide and high at this size: enough to keep labels apart.
-constexpr double kCharactersWide = 100, kCharactersHigh = 34;
-
-double share_along(const ChartAxis& axis, double value) {
-  if (!axis.logarithmic) return (value - axis.low) / (axis.high - axis.low);
-  return std::log(axis.place(value) / axis.low) / std::log(axis.high / axis.low);
+glm::dvec2 place_in_frame(const Places& places, const ChartPoint& p) {
+  return kFrame * glm::dvec2(places.x.along(p.cost), places.y.along(p.error));
 }
 
-LabelBox box_of(glm::dvec2 at, const LabelPlace& place, size_t letters) {
-  const double width = static_cast<double>(letters);
-  const double align = place.align[0] == 'l' ? 0 : place.align[0] == 'r' ? 1 : 0.5;
-  const double left = at.x + place.x - align * width, middle = at.y + place.y;
-  return {left, left + width, middle - 0.45, middle + 0.45};
+std::string graph(glm::dvec2 pixels) {
+  return fmt::format("graph {:.5f},{:.5f}", pixels.x / kFrame.x, pixels.y / kFrame.y);
 }
 
-// Presets by name, each where it meets no other name and no preset's ring, if there is such a place.
+std::string label_line(const ChartPoint& p, const PlacedLabel& label, glm::dvec2 mark) {
+  std::string text =
+      fmt::format("set label {} at {} center front\n", gnuplot_text(field(p.label)), graph(label.box.middle()));
+  if (label.line_to)
+    text += fmt::format("set arrow from {} to {} nohead lc rgb '#666666' lw 0.7 back\n", graph(mark),
+                        graph(*label.line_to));
+  return text;
+}
+
+// Presets by name, each where it lies on no mark and no other name.
 std::string label_lines(const Chart& chart, const Places& places) {
-  const auto characters = [&](const ChartPoint& p) {
-    return glm::dvec2(share_along(places.x, p.cost) * kCharactersWide,
-                      share_along(places.y, p.error) * kCharactersHigh);
-  };
-  std::string text;
-  std::vector<LabelBox> taken;
-  for (const ChartPoint& p : chart.points)
-    if (const glm::dvec2 at = characters(p); p.preset) taken.push_back({at.x - 1, at.x + 1, at.y - 0.5, at.y + 0.5});
+  std::vector<ChartMark> marks;
+  std::vector<LabelWish> wishes;
+  std::vector<const ChartPoint*> named;
   for (const ChartPoint& p : chart.points) {
+    marks.push_back({place_in_frame(places, p), p.preset ? kRing : kMark});
     if (!p.preset) continue;
-    const auto is_free = [&](const LabelPlace& place) {
-      const LabelBox box = box_of(characters(p), place, p.label.size());
-      const bool inside = box.left > 0 && box.right < kCharactersWide && box.low > 0 && box.high < kCharactersHigh;
-      return inside && std::none_of(taken.begin(), taken.end(), [&](const LabelBox& t) { return t.meets(box); });
-    };
-    const auto found = std::find_if(std::begin(kLabelPlaces), std::end(kLabelPlaces), is_free);
-    const LabelPlace& place = found == std::end(kLabelPlaces) ? kLabelPlaces[0] : *found;
-    taken.push_back(box_of(characters(p), place, p.label.size()));
-    text += fmt::format("set label {} at {},{} {} offset character {},{} front\n", gnuplot_text(field(p.label)),
-                        places.x.place(p.cost), places.y.place(p.error), place.align, place.x, place.y);
+    wishes.push_back({marks.back().at, kRing, kLetter * glm::dvec2(static_cast<double>(p.label.size()), 1)});
+    named.push_back(&p);
+  }
+  const std::vector<std::optional<PlacedLabel>> found = place_labels(kFrame, marks, wishes);
+  std::string text;
+  for (size_t i = 0; i < found.size(); ++i)
+    if (found[i]) text += label_line(*named[i], *found[i], wishes[i].at);
+  return text;
+}
+
+// Zero has a row of its own on a logarithmic axis, which knows none.
+std::string zero_rows(const Places& places) {
+  constexpr double kHalf = 14;  // pixels
+  std::string text;
+  const auto band = [&](glm::dvec2 from, glm::dvec2 to) {
+    text += fmt::format("set object rectangle from {} to {} fc rgb '#f0ece0' fs solid noborder behind\n", graph(from),
+                        graph(to));
+  };
+  if (places.y.zero_at) {
+    const double at = kFrame.y * places.y.along(0);
+    band({0, at - kHalf}, {kFrame.x, at + kHalf});
+  }
+  if (places.x.zero_at) {
+    const double at = kFrame.x * places.x.along(0);
+    band({at - kHalf, 0}, {at + kHalf, kFrame.y});
   }
   return text;
 }
 
-std::string family_block(const Chart& chart, const Places& places, size_t family) {
-  std::string text = fmt::format("$F{} << EOD\n", family);
+// The sound points of a family, or the others; "" = none.
+std::string family_block(const Chart& chart, const Places& places, size_t family, bool sound) {
+  std::string text;
   for (const ChartPoint& p : chart.points)
-    if (p.family == chart.families[family]) text += places.of(p) + "\n";
-  return text + "EOD\n";
+    if (p.family == chart.families[family] && p.sound == sound) text += places.of(p) + "\n";
+  return text.empty() ? "" : fmt::format("${}{} << EOD\n{}EOD\n", sound ? "S" : "U", family, text);
 }
 
-std::string plot_line(const Chart& chart) {
-  std::string text = "plot $FRONT using 1:2 with steps lw 2 lc rgb '#888888' title 'Pareto front'";
-  for (size_t i = 0; i < chart.families.size(); ++i)
-    text += fmt::format(", \\\n  $F{} using 1:2 with points pt {} ps 1.1 lc rgb '{}' title {}", i,
-                        kShapes[i % std::size(kShapes)], kColours[i % std::size(kColours)],
-                        gnuplot_text(chart.families[i].empty() ? "other" : chart.families[i]));
+std::string family_plot(const Chart& chart, size_t family, bool sound) {
+  const Shape& shape = kShapes[family % std::size(kShapes)];
+  return fmt::format(", \\\n  ${}{} using 1:2 with points pt {} ps 1.2 lc rgb '{}' title {}", sound ? "S" : "U", family,
+                     sound ? shape.filled : shape.open, kColours[family % std::size(kColours)],
+                     gnuplot_text(chart.families[family].empty() ? "other" : chart.families[family]));
+}
+
+// The families of the sound points under one heading, those of the others under the next.
+struct FamilyPlots {
+  std::string blocks, plots;
+};
+FamilyPlots family_plots(const Chart& chart, const Places& places) {
+  FamilyPlots out;
+  for (const bool sound : {true, false}) {
+    std::string plots;
+    for (size_t i = 0; i < chart.families.size(); ++i) {
+      const std::string block = family_block(chart, places, i, sound);
+      out.blocks += block;
+      if (!block.empty()) plots += family_plot(chart, i, sound);
+    }
+    if (!plots.empty())
+      out.plots += fmt::format(", \\\n  keyentry with points pt 0 lc rgb '#ffffff' title '{}'{}",
+                               sound ? "sound (filled):" : "unsound (open):", plots);
+  }
+  return out;
+}
+
+std::string plot_line(const Chart& chart, const FamilyPlots& families) {
+  std::string text = "plot $FRONT using 1:2 with steps lw 2 lc rgb '#888888' title 'Pareto front'" + families.plots;
   if (std::any_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.preset; }))
-    text += ", \\\n  $PRESETS using 1:2 with points pt 6 ps 2.2 lw 1.5 lc rgb '#000000' title 'preset'";
+    text += ", \\\n  $PRESETS using 1:2 with points pt 6 ps 2.4 lw 1.5 lc rgb '#000000' title 'preset'";
   return text + "\n";
 }
 
@@ -140,18 +180,18 @@ std::string plot_line(const Chart& chart) {
 
 std::string chart_script(const Chart& chart, const ChartTexts& texts, ChartFile file) {
   const Places places = places_of(chart);
-  std::string text =
-      fmt::format("set terminal {} size 1280,800 font 'DejaVu Sans,12' noenhanced background '#ffffff'\n",
-                  file == ChartFile::svg ? "svg" : "pngcairo");
-  text +=
-      "set encoding utf8\nset datafile separator \"\\t\"\nset grid xtics ytics lt 1 lc rgb '#dddddd'\nset key outside "
-      "right top\n";
+  std::string text = fmt::format("set terminal {} size {},{} font 'DejaVu Sans,12' noenhanced background '#ffffff'\n",
+                                 file == ChartFile::svg ? "svg" : "pngcairo", kPicture.x, kPicture.y);
+  text += "set encoding utf8\nset datafile separator \"\\t\"\nset grid xtics ytics lt 1 lc rgb '#dddddd'\n";
+  text += "set key at graph 1.02,1 left top Left reverse samplen 1.5\n";
+  text += fmt::format(
+      "set lmargin at screen {}\nset rmargin at screen {}\nset bmargin at screen {}\nset tmargin at screen {}\n",
+      kFrameFrom.x, kFrameTo.x, kFrameFrom.y, kFrameTo.y);
   text += fmt::format("set title {}.\"\\n\".{}\n", gnuplot_text(texts.title), gnuplot_text(texts.subtitle));
-  text += axis_lines("x", chart.x, places.x) + axis_lines("y", chart.y, places.y);
-  text += front_block(chart, places) + preset_block(chart, places);
-  for (size_t i = 0; i < chart.families.size(); ++i) text += family_block(chart, places, i);
-  text += label_lines(chart, places);
-  return text + plot_line(chart);
+  text += axis_lines("x", chart.x, places.x) + axis_lines("y", chart.y, places.y) + zero_rows(places);
+  const FamilyPlots families = family_plots(chart, places);
+  text += front_block(chart, places) + preset_block(chart, places) + families.blocks;
+  return text + label_lines(chart, places) + plot_line(chart, families);
 }
 
 }  // namespace gbl

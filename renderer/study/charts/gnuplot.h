@@ -19,7 +19,8 @@ struct ChartTexts {
 };
 enum class ChartFile { svg, png };
 
-// Named axes with units, families by colour and shape, the Pareto front as a line, presets circled and named.
+// Named axes with units, families by colour and shape, filled where sound and open where not, the Pareto front as a line,
+// presets circled and named, zero on a row of its own.
 std::string chart_script(const Chart&, const ChartTexts&, ChartFile);
 
 }  // namespace gbl

@@ -63,6 +63,7 @@ struct StudyColumn {
   std::string numerator = {}, denominator = {};  // a ratio of two columns, in charts only; "" = it is measured
   std::function<ColumnValue(const Measurement&)> of_row = {};             // in the rows of studies
   ColumnValue (*of_frame)(const FrameReport&, const Machine&) = nullptr;  // in these and in the report of a frame
+  bool is_share() const { return !share_of.empty(); }
 };
 std::span<const StudyColumn> study_columns();  // in the order of files
 
