@@ -91,15 +91,22 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     add_number(app, "--budget-max", a.budget_max, "the same for every pixel", -kAnyNumber, kAnyNumber);
     app.add_option("--cost", a.cost, "what is to be small: time, bytes or pairs (default: time)");
     app.add_flag("--apply", a.apply, "write the set-up to settings.json");
-    app.add_option("-o,--output", a.output, "folder of settings.json (default: out)");
+    app.add_option("-o,--output", a.output, "folder of advice.html and settings.json (default with --apply: out)");
   }
   if (command == "study") {
     add_settings(app, a);
     app.add_option("spec", a.what, "a built-in study (list studies) or a spec's JSON file; default: tradeoff");
     app.add_option("-o,--output", a.output, "folder of rows.jsonl and the charts, made if need be (default: out/NAME)");
+    app.add_option(
+        "--axes", a.axes,
+        "make the study from options, comma-separated: every value of each alone first, then pairs, then more");
+    app.add_option("--budget", a.time_budget,
+                   "stop after this time, e.g. 90s, 10m, 1h30m; run it again and it goes on");
     app.add_option("--shard", a.shard, "i/n: every n-th case from the i-th, for several machines");
+    app.add_option("--merge", a.merge, "folders of one study, e.g. of its shards, into -o DIR")->option_text("DIR ...");
   }
   if (command == "stability") {
+    add_settings(app, a);
     app.add_option("sweep", a.sweeps, "sweeps by id; default: all. An unknown one is answered with the known ones");
     add_number(app, "--configurations", a.configurations, "of cull-families, in each family (default: 48)", 1, 1000);
     app.add_option("-o,--output", a.output,

@@ -8,9 +8,11 @@
 #include "app/headless.h"
 #include "app/interrupt.h"
 #include "app/lab.h"
+#include "app/picture_texts.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
+#include "renderer/study/advice/advice_page.h"
 
 namespace gbl {
 namespace {
@@ -127,7 +129,8 @@ ExitCode run_advise(const Arguments& a) {
   const ErrorBudget budget = budget_of(a);
   const AdviceCost cost = cost_of(a.cost);
   const std::filesystem::path folder = a.output.value_or("out");
-  if (a.apply) make_folder(folder);  // before the work: one that cannot be written is known at once
+  const bool writes = a.apply || a.output;
+  if (writes) make_folder(folder);  // before the work: one that cannot be written is known at once
   const auto [s, scene] = setup_of(a);
   const HeadlessContext context;
   Lab lab(without_of(a));
@@ -149,6 +152,9 @@ ExitCode run_advise(const Arguments& a) {
   const Advice advice =
       advise(s, lab.scene(), budget, cost, lab.limits(), judge, measure, show_progress, scope.interrupted());
   show_progress("");
+  const AdviceAsked asked{s, budget, cost, lab.limits().features};
+  const auto command = [](const Settings& setup) { return command_line("gbufferlab bench", setup); };
+  if (writes) write_text_file(folder / "advice.html", page_html(advice_page(advice, asked, lab.machine(), command)));
   if (a.json)
     fmt::print("{}\n", Json{{"best", json_of(advice.best)},
                             {"runner_up", json_of(advice.runner_up)},

@@ -6,11 +6,14 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
+#include "app/picture_texts.h"
 #include "app/stability_bench.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/opening/scene_look.h"
 #include "renderer/study/stability/stability_chart.h"
 #include "renderer/study/stability/stability_files.h"
+#include "renderer/study/stability/stability_given.h"
 #include "renderer/study/stability/stability_journal.h"
 
 namespace gbl {
@@ -22,6 +25,60 @@ std::vector<const Sweep*> chosen_sweeps(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) named.push_back(&sweep(id));
   for (const Sweep& s : sweeps())
     if (named.empty() || std::find(named.begin(), named.end(), &s) != named.end()) out.push_back(&s);
+  return out;
+}
+
+bool is_place_given(const Arguments& a) {
+  const bool by_set = std::any_of(a.set.begin(), a.set.end(), [](const std::string& assignment) {
+    return is_place(assignment.substr(0, assignment.find('=')));
+  });
+  return a.scene || a.camera || a.lights || a.rig || a.seed || a.time || by_set;
+}
+
+// "--scene model.glb --set ambient=0"
+std::string words_of(const Arguments& a) {
+  std::string text;
+  const auto add = [&](const char* option, const std::string& value) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : " ", option, shell_quoted(value));
+  };
+  if (a.scene) add("--scene", *a.scene);
+  if (a.preset) add("--preset", *a.preset);
+  if (a.state) add("--state", *a.state);
+  if (a.size) add("--size", *a.size);
+  if (a.camera) add("--camera", *a.camera);
+  if (a.rig) add("--rig", *a.rig);
+  if (a.lights) add("--lights", std::to_string(*a.lights));
+  if (a.seed) add("--seed", std::to_string(*a.seed));
+  if (a.time) add("--time", fmt::format("{}", *a.time));
+  for (const std::string& assignment : a.set) add("--set", assignment);
+  return text;
+}
+
+// Empty: nothing is given, and every sweep is as it is.
+std::optional<SweepGiven> given_to_sweeps(const Arguments& a) {
+  SweepGiven given{.place = is_place_given(a), .ways = a.preset || a.state, .words = words_of(a)};
+  if (given.words.empty()) return {};
+  Setup setup = setup_of(a);
+  given.settings = setup.settings;
+  given.scene = setup.scene || !given.place ? setup.scene : open_scene(setup.settings.scene);
+  for (const Assignment& c : given_of(a).explicitly)
+    if (c.path != "preset" && c.path != "lights") given.paths.push_back(c.path);
+  return given;
+}
+
+// A sweep that was named must take what is given; of all of them those are left out that do not.
+std::vector<const Sweep*> taking(const std::vector<const Sweep*>& chosen, const SweepGiven& given, bool named) {
+  std::vector<const Sweep*> out;
+  std::string why;
+  for (const Sweep* s : chosen) {
+    const std::string refused = refusal(*s, given);
+    if (refused.empty()) out.push_back(s);
+    if (!refused.empty()) why = refused;
+    if (!refused.empty() && !named) fmt::print(stderr, "gbufferlab: left out: {}\n", refused);
+    if (!refused.empty() && named) out.clear();
+    if (!refused.empty() && named) break;
+  }
+  if (out.empty()) throw Error(ExitCode::bad_input, given.words, why, "leave it out, or name other sweeps");
   return out;
 }
 
@@ -46,10 +103,23 @@ void print_curve(const Sweep& s, const CurveResult& c) {
   if (has_families(s) && c.not_drawn.empty()) print_families(c);
 }
 
+void print_ends(const CurveResult& c) {
+  if (c.rows.empty()) return;
+  const auto text = [](const SweepRow& r) {
+    return r.value ? fmt::format("{:.4g}", *r.value) : std::string("not measured");
+  };
+  const SweepRow &first = c.rows.front(), &last = c.rows.back();
+  fmt::print("  {}: {} at {:g}, {} at {:g}\n", c.curve, text(first), first.x, text(last), last.x);
+}
+
 void print_text(const SweepResult& result) {
   if (isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
   fmt::print("{}: {}\n", result.sweep->id, result.sweep->label);
   for (const CurveResult& c : result.curves) print_curve(*result.sweep, c);
+  if (!result.given.empty()) {
+    fmt::print("  measured with {}: what is stated of the sweep's own scene is not judged\n", result.given);
+    for (const CurveResult& c : result.curves) print_ends(c);
+  }
   if (result.left > 0) fmt::print("  not judged: {} points have not been measured\n", result.left);
 }
 
@@ -64,7 +134,9 @@ ExitCode outcome(const std::vector<SweepResult>& results, bool interrupted) {
 }  // namespace
 
 ExitCode run_stability(const Arguments& a) {
-  const std::vector<const Sweep*> chosen = chosen_sweeps(a.sweeps);
+  std::vector<const Sweep*> chosen = chosen_sweeps(a.sweeps);
+  const std::optional<SweepGiven> given = given_to_sweeps(a);
+  if (given) chosen = taking(chosen, *given, !a.sweeps.empty());
   if (a.configurations && std::none_of(chosen.begin(), chosen.end(), [](const Sweep* s) { return has_families(*s); }))
     throw Error(ExitCode::bad_input, "--configurations", "none of these sweeps has families of configurations",
                 "leave it out, or name cull-families");
@@ -81,6 +153,7 @@ ExitCode run_stability(const Arguments& a) {
   for (const Sweep* s : chosen) {
     const auto measure = [&](const SweepSetup& setup) { return bench.measure(setup); };
     SweepRun run{.limits = bench.limits(), .rounding = bench.rounding(), .shard = shard, .journal = &journal};
+    if (given) run.over = given_over(*s, *given), run.given = given->words;
     if (has_families(*s) && a.configurations) run.values = family_values(*a.configurations);
     results.push_back(run_sweep(*s, run, measure, show_progress, scope.interrupted()));
     if (!a.json) print_text(results.back());

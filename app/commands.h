@@ -48,6 +48,9 @@ struct Arguments {
   std::string cost = "time";                 // of `advise`
   bool apply = false;                        // of `advise`: write the settings
   std::optional<std::string> shard;          // of `study`: "i/n"
+  std::optional<std::string> axes;           // of `study`: options, comma-separated
+  std::optional<std::string> time_budget;    // of `study`: "10m"
+  std::vector<std::filesystem::path> merge;  // of `study`: folders to make one of
   bool present = false, fresh = false;
   std::string lesson, pitfall;  // of `view`: open this one
   std::optional<int> frames;    // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none

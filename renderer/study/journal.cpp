@@ -42,8 +42,39 @@ int open_to_append(const std::filesystem::path& path) {
 
 }  // namespace
 
+JournalLines parse_journal(std::string_view text, const std::filesystem::path& path) {
+  JournalLines out;
+  size_t line = 1;
+  for (size_t begin = 0; begin < text.size(); ++line) {
+    const size_t end = text.find('\n', begin);
+    const bool whole = end != std::string_view::npos, last = !whole || end + 1 == text.size();
+    const std::string where = fmt::format("{}:{}", path.string(), line);
+    auto row = whole ? parse_journal_line(text.substr(begin, end - begin), where) : std::nullopt;
+    if (!row && !last)
+      throw Error(ExitCode::bad_input, where, "is not a row of a study",
+                  "delete this line: its case is measured again");
+    if (!row) return out;
+    out.rows.push_back(std::move(*row));
+    out.whole_bytes = begin = end + 1;
+  }
+  return out;
+}
+
+void KeptRows::take(StudyRow row) {
+  const auto [it, is_new] = by_key_.emplace(row.key, rows_.size());
+  if (is_new)
+    rows_.push_back(std::move(row));
+  else if (StudyRow& known = rows_[it->second]; known.failed || (!counts(known) && counts(row)))
+    known = std::move(row);
+}
+
+const StudyRow* KeptRows::found(std::string_view key) const {
+  const auto it = by_key_.find(key);
+  return it != by_key_.end() && counts(rows_[it->second]) ? &rows_[it->second] : nullptr;
+}
+
 Journal::Journal(std::filesystem::path path, std::string made_by)
-    : path_(std::move(path)), made_by_(std::move(made_by)), file_(open_to_append(path_)) {
+    : path_(std::move(path)), file_(open_to_append(path_)), kept_(std::move(made_by)) {
   try {
     read();
   } catch (...) {
@@ -60,35 +91,10 @@ void Journal::read() {
   if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(text << file.rdbuf())))
     throw Error(ExitCode::bad_input, path_.string(), "cannot be read", "check its permissions");
   const std::string all = text.str();
-  size_t line = 1;
-  for (size_t begin = 0; begin < all.size(); ++line) {
-    const size_t end = all.find('\n', begin);
-    const bool whole = end != std::string::npos, last = !whole || end + 1 == all.size();
-    const std::string where = fmt::format("{}:{}", path_.string(), line);
-    auto row = whole ? parse_journal_line(std::string_view(all).substr(begin, end - begin), where) : std::nullopt;
-    if (!row && !last)
-      throw Error(ExitCode::bad_input, where, "is not a row of a study",
-                  "delete this line: its case is measured again");
-    if (!row) {
-      if (::ftruncate(file_, static_cast<off_t>(begin)) != 0) cannot_write(path_, errno);
-      return;
-    }
-    take(std::move(*row));
-    begin = end + 1;
-  }
-}
-
-void Journal::take(StudyRow row) {
-  const auto [it, is_new] = by_key_.emplace(row.key, rows_.size());
-  if (is_new)
-    rows_.push_back(std::move(row));
-  else if (StudyRow& known = rows_[it->second]; known.failed || (!counts(known) && counts(row)))
-    known = std::move(row);
-}
-
-const StudyRow* Journal::found(std::string_view key) const {
-  const auto it = by_key_.find(key);
-  return it != by_key_.end() && counts(rows_[it->second]) ? &rows_[it->second] : nullptr;
+  JournalLines lines = parse_journal(all, path_);
+  if (lines.whole_bytes < all.size() && ::ftruncate(file_, static_cast<off_t>(lines.whole_bytes)) != 0)
+    cannot_write(path_, errno);
+  for (StudyRow& row : lines.rows) kept_.take(std::move(row));
 }
 
 void Journal::append(const StudyRow& row) {
@@ -108,7 +114,7 @@ void Journal::append(const StudyRow& row) {
   if (::stat(path_.c_str(), &named) != 0 || named.st_ino != before.st_ino || named.st_dev != before.st_dev)
     throw Error(ExitCode::unfinished, path_.string(), "was deleted or replaced while the study ran",
                 "run the study again: what had been measured went with the file");
-  take(*parse_journal_line(line, path_.string()));  // as the next run will find it
+  kept_.take(*parse_journal_line(line, path_.string()));  // as the next run will find it
 }
 
 }  // namespace gbl

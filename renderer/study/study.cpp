@@ -1,6 +1,7 @@
 #include "renderer/study/study.h"
 
 #include <chrono>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
@@ -59,7 +60,9 @@ Shard parse_shard(std::string_view text) {
 }
 
 StudyCounts run_study(const StudyPlan& plan, Shard shard, Journal& journal, const RowFn& measure,
-                      const ProgressFn& report, const std::atomic<bool>& cancel) {
+                      const ProgressFn& report, const std::atomic<bool>& cancel, std::optional<double> budget_s) {
+  const auto started = Clock::now();
+  const auto budget_left_s = [&] { return budget_s ? *budget_s - seconds_since(started) : HUGE_VAL; };
   StudyCounts counts;
   std::vector<Todo> todo;
   for (size_t i = 0; i < plan.cases.size(); ++i) {
@@ -75,11 +78,13 @@ StudyCounts run_study(const StudyPlan& plan, Shard shard, Journal& journal, cons
   const auto report_next = [&](const StudyCase* next) {
     const size_t done = counts.before + counts.measured + counts.failed;
     StudyProgress p{.done = done, .total = total, .failed = counts.failed, .next = next};
-    if (counts.measured > 0) p.seconds_left = spent_s / double(counts.measured) * double(total - done);
+    if (counts.measured > 0)
+      p.seconds_left =
+          std::min(spent_s / double(counts.measured) * double(total - done), std::max(budget_left_s(), 0.0));
     if (report) report(p);
   };
   for (const Todo& t : todo) {
-    if (cancel) break;
+    if (cancel || budget_left_s() <= 0) break;
     report_next(t.study_case);
     const auto begin = Clock::now();
     const std::optional<StudyRow> row = measured(plan, t, measure);

@@ -21,14 +21,14 @@ Shard parse_shard(std::string_view);  // "2/3"; Error(bad_input) says what is wr
 struct StudyProgress {
   size_t done = 0, total = 0;          // of this shard; done: measured now or before, or failed now
   size_t failed = 0;                   // now
-  std::optional<double> seconds_left;  // empty until a row has been measured
+  std::optional<double> seconds_left;  // empty until a row has been measured; not more than what is left of the budget
   const StudyCase* next = nullptr;     // about to be measured; null at the end
 };
 
 struct StudyCounts {
   size_t measured = 0, failed = 0;  // now
   size_t before = 0;                // found in the journal
-  size_t left = 0;                  // not come to: it was cancelled
+  size_t left = 0;                  // not come to: it was cancelled, or its time was up
 };
 
 // Measures a case. What it throws is the row's reason to have failed; with
@@ -40,9 +40,9 @@ using ProgressFn = std::function<void(const StudyProgress&)>;  // before each ca
 StudyRow measured_row(const std::string& study, const StudyCase&, MeasuredColumns);
 StudyRow failed_row(const std::string& study, const StudyCase&, const std::string& reason);
 
-// Stops between two rows when `cancel` is set. Errors of the journal are thrown on: a row that cannot be kept need not
+// Stops between two rows when `cancel` is set and when it has run for so many seconds. Errors of the journal are thrown on: a row that cannot be kept need not
 // be measured.
 StudyCounts run_study(const StudyPlan&, Shard, Journal&, const RowFn&, const ProgressFn&,
-                      const std::atomic<bool>& cancel);
+                      const std::atomic<bool>& cancel, std::optional<double> budget_s = {});
 
 }  // namespace gbl

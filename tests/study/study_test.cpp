@@ -1,7 +1,9 @@
 #include "renderer/study/study.h"
 
+#include <chrono>
 #include <gtest/gtest.h>
 #include <set>
+#include <thread>
 
 #include "renderer/base/made_by.h"
 #include "renderer/study/row_json.h"
@@ -70,6 +72,22 @@ TEST(RunStudy, SkipsWhatIsThereAndTriesAgainWhatFailed) {
   EXPECT_EQ(asked, (std::vector<std::string>{"lights=2", "lights=4"}));
   ASSERT_EQ(desk.journal.rows().size(), 5u);
   EXPECT_FALSE(desk.journal.rows()[2].failed);
+}
+
+// The clock is asked between rows: a budget of nothing measures nothing, and the next run goes on.
+TEST(RunStudy, StopsWhenItsTimeIsUpAndGoesOnLater) {
+  Desk desk;
+  const StudyCounts none = run_study(plan_of(4), {}, desk.journal, measure, {}, kOn, 0.0);
+  EXPECT_EQ(none.measured, 0u);
+  EXPECT_EQ(none.left, 4u);
+  const auto slow = [](const StudyCase& c) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    return measure(c);
+  };
+  const StudyCounts one = run_study(plan_of(4), {}, desk.journal, slow, {}, kOn, 0.02);
+  EXPECT_EQ(one.measured, 1u) << "a row that was begun is finished";
+  EXPECT_EQ(one.left, 3u);
+  EXPECT_EQ(run_study(plan_of(4), {}, desk.journal, measure, {}, kOn, 1000.0).measured, 3u);
 }
 
 TEST(RunStudy, ShardsTakeEachCaseExactlyOnce) {

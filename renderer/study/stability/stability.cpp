@@ -30,8 +30,9 @@ const Sweep& sweep(std::string_view id) {
 
 bool has_families(const Sweep& s) { return std::string_view(s.id) == "cull-families"; }
 
-SweepSetup setup_at(const Sweep& s, const Curve& curve, double value) {
+SweepSetup setup_at(const Sweep& s, const Curve& curve, double value, const std::function<void(SweepSetup&)>& over) {
   SweepSetup setup = s.at(value);
+  if (over) over(setup);
   curve.apply(setup.settings);
   return setup;
 }
@@ -60,7 +61,7 @@ void judge(const Sweep& s, const Curve& curve, CurveResult& result) {
 std::vector<CurveResult> begin(const Sweep& s, const std::vector<Curve>& curves, double first, const SweepRun& run) {
   std::vector<CurveResult> out;
   for (const Curve& c : curves) {
-    const Settings settings = setup_at(s, c, first).settings;
+    const Settings settings = setup_at(s, c, first, run.over).settings;
     const std::vector<Problem> problems = validate(settings, run.limits);
     out.push_back({.curve = c.id,
                    .not_drawn = problems.empty() ? "" : problems[0].path + " " + problems[0].sentence,
@@ -72,9 +73,9 @@ std::vector<CurveResult> begin(const Sweep& s, const std::vector<Curve>& curves,
 }  // namespace
 
 SweepRunner::SweepRunner(const Sweep& s, const SweepRun& run)
-    : values_(run.values.empty() ? s.values() : run.values), curves_(s.curves(run.rounding)) {
+    : values_(run.values.empty() ? s.values() : run.values), curves_(s.curves(run.rounding)), over_(run.over) {
   std::sort(values_.begin(), values_.end());
-  result_ = {.sweep = &s, .curves = begin(s, curves_, values_.front(), run)};
+  result_ = {.sweep = &s, .curves = begin(s, curves_, values_.front(), run), .given = run.given};
   find_next();
 }
 
@@ -83,11 +84,15 @@ void SweepRunner::find_next() {
   while (!complete() && !result_.curves[next_ % curves_.size()].not_drawn.empty()) ++next_;
   if (complete()) {
     for (size_t i = 0; i < curves_.size(); ++i)
-      if (result_.curves[i].not_drawn.empty() && result_.left == 0) judge(s, curves_[i], result_.curves[i]);
+      if (result_.curves[i].not_drawn.empty() && result_.left == 0 && result_.given.empty())
+        judge(s, curves_[i], result_.curves[i]);
     return;
   }
   const size_t value = next_ / curves_.size();
-  if (based_ != value) base_ = s.at(values_[value]), based_ = value;
+  if (based_ != value) {
+    base_ = s.at(values_[value]), based_ = value;
+    if (over_) over_(base_);
+  }
   setup_ = base_;
   curves_[next_ % curves_.size()].apply(setup_.settings);
 }

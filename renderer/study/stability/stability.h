@@ -71,6 +71,8 @@ struct Sweep {
   std::vector<double> (*values)();
   std::vector<Curve> (*curves)(const DeviceRounding&);
   SweepSetup (*at)(double value);  // before a curve is applied
+  // Options that stay the sweep's in a scene of the user's: its parameter, and what it is about. Empty: it needs its own scene.
+  std::vector<const char*> keeps = {};
 };
 std::span<const Sweep> sweeps();
 const Sweep& sweep(std::string_view id);  // Error(bad_input) with the known ones
@@ -79,7 +81,7 @@ bool has_families(const Sweep&);  // see kFamilySpan
 inline constexpr int kFamilies = 3;
 std::vector<double> family_values(int configurations);  // of each family, 1 to kFamilySpan
 
-SweepSetup setup_at(const Sweep&, const Curve&, double value);
+SweepSetup setup_at(const Sweep&, const Curve&, double value, const std::function<void(SweepSetup&)>& over = {});
 AxisWords words_of(const Sweep&);
 
 struct SweepRow {
@@ -105,7 +107,8 @@ struct CurveResult {
 struct SweepResult {
   const Sweep* sweep = nullptr;
   std::vector<CurveResult> curves;
-  size_t left = 0;  // points that were not measured; then no curve is judged
+  size_t left = 0;         // points that were not measured; then no curve is judged
+  std::string given = {};  // what the command line gave (stability_given.h); then no curve is judged
   bool holds() const;
 };
 
@@ -116,8 +119,10 @@ struct SweepRun {
   std::vector<double> values;  // empty: the sweep's own
   DeviceLimits limits;
   DeviceRounding rounding;
-  Shard shard;                 // takes values, so that curves still share the truth of a point
-  Journal* journal = nullptr;  // keeps each point as it is measured, and gives back those that it has
+  Shard shard;                                 // takes values, so that curves still share the truth of a point
+  Journal* journal = nullptr;                  // keeps each point as it is measured, and gives back those that it has
+  std::function<void(SweepSetup&)> over = {};  // what the command line gives, over each point
+  std::string given = {};                      // the same in words
 };
 // Point by point, for a window that goes on in between. Value by value, so that curves share the truth of a point.
 class SweepRunner {
@@ -142,6 +147,7 @@ class SweepRunner {
   std::vector<double> values_;
   std::vector<Curve> curves_;
   SweepResult result_;
+  std::function<void(SweepSetup&)> over_;
   size_t next_ = 0;  // value by value, and in it curve by curve
   std::optional<size_t> based_;
   SweepSetup base_, setup_;  // of the value `based_`, before and after the curve is applied

@@ -9,6 +9,7 @@
 #include "renderer/options/settings_json.h"
 #include "renderer/study/charts/gnuplot.h"
 #include "renderer/study/stability/stability_chart.h"
+#include "renderer/study/stability/stability_page.h"
 
 namespace gbl {
 namespace {
@@ -57,8 +58,9 @@ Json curve_json(const SweepResult& result, const CurveResult& c) {
 
 Json sweep_json(const SweepResult& result) {
   const Sweep& s = *result.sweep;
-  Json json = {{"id", s.id},     {"label", s.label},       {"help", s.help},     {"parameter", s.parameter},
-               {"unit", s.unit}, {"log_axis", s.log_axis}, {"metric", s.metric}, {"holds", result.holds()}};
+  Json json = {{"id", s.id},           {"label", s.label},       {"help", s.help},     {"parameter", s.parameter},
+               {"unit", s.unit},       {"log_axis", s.log_axis}, {"metric", s.metric}, {"holds", result.holds()},
+               {"given", result.given}};
   for (const CurveResult& c : result.curves) json["curves"].push_back(curve_json(result, c));
   return json;
 }
@@ -93,9 +95,13 @@ Json stability_json(const std::vector<SweepResult>& results, const Machine& mach
   return json;
 }
 
-static std::string device_words(const Machine& machine, const DeviceRounding& rounding) {
-  return fmt::format("{}; half floats are blended {}", machine.device,
+static std::string rounding_words(const DeviceRounding& rounding) {
+  return fmt::format("half floats are blended {}",
                      rounding.half_blend == StoreRounding::toward_zero ? "toward zero" : "to nearest");
+}
+
+static std::string device_words(const Machine& machine, const DeviceRounding& rounding) {
+  return fmt::format("{}; {}", machine.device, rounding_words(rounding));
 }
 
 static std::string statements_of(const CurveResult& c) {
@@ -120,6 +126,7 @@ std::string stability_markdown(const std::vector<SweepResult>& results, const Ma
     const Sweep& s = *r.sweep;
     page += fmt::format("\n## {0}\n\n`{1}`: {2}. Measured: {3}.\n\n![{0}: a curve for each choice]({1}.svg)\n\n",
                         s.label, s.id, s.help, sweep_metric(s.metric).help);
+    if (!r.given.empty()) page += fmt::format("Measured with `{}`: nothing is stated of that.\n\n", r.given);
     page += "| curve | what holds |\n|---|---|\n";
     std::string flat;
     for (const CurveResult& c : r.curves) {
@@ -140,6 +147,7 @@ void write_stability_files(const std::filesystem::path& folder, const std::vecto
   write_text_file(folder / "stability.json", stability_json(results, machine, rounding).dump(1) + "\n");
   write_text_file(folder / "stability.md", stability_markdown(results, machine, rounding));
   const std::string device = device_words(machine, rounding);
+  write_text_file(folder / "stability.html", page_html(stability_page(results, machine, rounding_words(rounding))));
   for (const SweepResult& r : results) {
     const auto has_points = [](const CurveResult& c) { return !c.rows.empty(); };
     if (std::none_of(r.curves.begin(), r.curves.end(), has_points)) continue;  // other machines measure it

@@ -19,7 +19,7 @@ std::string stability_markdown(const std::vector<SweepResult>&, const Machine&, 
 
 Json stability_json(const std::vector<SweepResult>&, const Machine&, const DeviceRounding&);
 
-// stability.csv, stability.json, stability.md and <sweep>.svg, <sweep>.png in this folder, each by a temporary name. Error(unfinished):
+// stability.csv, stability.json, stability.md, stability.html and <sweep>.svg, <sweep>.png in this folder, each by a temporary name. Error(unfinished):
 // a file cannot be written, or a chart cannot be drawn; then the tables are there.
 void write_stability_files(const std::filesystem::path& folder, const std::vector<SweepResult>&, const Machine&,
                            const DeviceRounding&);

@@ -96,7 +96,8 @@ Sweep parallax_steps_sweep() {
               "is interpolated or halved",
           .values = step_counts,
           .curves = step_curves,
-          .at = seen_in_steps};
+          .at = seen_in_steps,
+          .keeps = {"height-map", "parallax.steps"}};
 }
 
 Sweep parallax_angle_sweep() {

@@ -107,7 +107,8 @@ Sweep range_threshold_sweep() {
           .help = "the step at the rim where a light is cut off: an edge of the model, not an error of a method",
           .values = thresholds,
           .curves = range_threshold_curves,
-          .at = cut_at};
+          .at = cut_at,
+          .keeps = {"attenuation", "range.kind", "range.threshold"}};
 }
 
 }  // namespace gbl

@@ -212,7 +212,8 @@ Sweep near_plane_sweep() {
           .help = "a wall 100 units away, far 10000: without reversing, float depth is no better than 24 bits",
           .values = near_planes,
           .curves = near_plane_curves,
-          .at = near_plane_at};
+          .at = near_plane_at,
+          .keeps = {"camera.near"}};
 }
 
 Sweep depth_decode_sweep() {

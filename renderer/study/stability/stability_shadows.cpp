@@ -63,7 +63,8 @@ Sweep shadow_bias_sweep() {
               "least sum of both between",
           .values = biases,
           .curves = bias_curves,
-          .at = biased_by};
+          .at = biased_by,
+          .keeps = {"shadows", "shadow.bias", "shadow.slope-bias"}};
 }
 
 }  // namespace gbl

@@ -240,7 +240,8 @@ Sweep volume_level_sweep() {
           .help = "a light of range 20, 2 units off a wall: a mesh inside the sphere cuts notches into the rim",
           .values = levels,
           .curves = volume_level_curves,
-          .at = volume_level_at};
+          .at = volume_level_at,
+          .keeps = {"lights.volume.level"}};
 }
 
 }  // namespace gbl
