@@ -104,7 +104,7 @@ PageChart page_chart(const Chart& chart, const std::vector<StudyRow>& rows) {
   for (const ChartPoint& p : chart.points) costs.push_back(p.cost), errors.push_back(p.error);
   PageChart out{.title = "Cost and error", .x = page_axis(chart.x, costs), .y = page_axis(chart.y, errors)};
   out.families = chart.families;
-  out.front = "Pareto front: none is as good in both and better in one";
+  out.front = "Pareto front: no other is as good in both";
   for (const ChartPoint& p : chart.points) {
     const auto family = std::find(chart.families.begin(), chart.families.end(), p.family) - chart.families.begin();
     out.points.push_back({.x = p.cost,

@@ -141,11 +141,68 @@ TEST_F(Program, AdviceHoldsTheBudgetAndItsStateIsDrawable) {
   EXPECT_LE(advice["best"]["worst"]["share_over"].get<double>(), 0.001);
   EXPECT_LE(advice["best"]["cost"].get<double>(), advice["runner_up"]["cost"].get<double>());
   EXPECT_GT(advice["left_out"].size(), 3u);
+  EXPECT_TRUE(contains(text("advice.html"), "<b>chosen:</b>"));
   const std::string file = (folder_ / "settings.json").string();
   EXPECT_EQ(run("render --state \"" + file + "\" --only final" + state), 0) << text("err");
   EXPECT_EQ(run("advise --budget 0"), 2);
   EXPECT_EQ(run("advise --budget 1 --budget-max 1"), 2);
   EXPECT_EQ(run("advise --cost money"), 2);
+}
+
+TEST_F(Program, AStudyOfAxesNeedsNoSpecStopsInTimeAndGoesOn) {
+  const std::string command =
+      "study --axes accumulation.targets,depth.format --scene builtin:layers --lights 4 --size 64x36 -o \"" +
+      folder_.string() + "\"";
+  EXPECT_EQ(run(command + " --budget 0.01s"), 0) << text("err");
+  EXPECT_EQ(lines("rows.jsonl"), 1u) << "it stops between rows";
+  EXPECT_TRUE(contains(text("out"), "the same command goes on")) << text("out");
+  const Json first = parse_json(text("rows.jsonl"), "rows.jsonl");
+  EXPECT_EQ(first["at"].size(), 1u) << "the values of an axis alone come first";
+  EXPECT_EQ(run(command), 0) << text("err");
+  EXPECT_TRUE(contains(text("out"), "1 found, 0 failed, 0 left")) << text("out");
+  EXPECT_EQ(run("study --axes accumulation.target -o \"" + folder_.string() + "\""), 2);
+  EXPECT_TRUE(contains(text("err"), "accumulation.targets")) << text("err");
+  EXPECT_EQ(run("study tradeoff --axes layout"), 2);
+  EXPECT_EQ(run(command + " --budget soon"), 2);
+  EXPECT_EQ(run("study --axes layout --set layout=exact"), 2) << text("err");
+}
+
+TEST_F(Program, ShardsAreMergedIntoTheRowsOfASingleRun) {
+  const auto in = [&](const char* name) { return "\"" + (folder_ / name).string() + "\""; };
+  spec(4);
+  const std::string study = "study " + in("spec.json");
+  ASSERT_EQ(run(study + " -o " + in("single")), 0) << text("err");
+  for (const char* i : {"1", "2"})
+    ASSERT_EQ(run(study + " --shard " + i + "/2 -o " + in((std::string("shard") + i).c_str())), 0) << text("err");
+  ASSERT_EQ(run("study --merge " + in("shard2") + " " + in("shard1") + " -o " + in("merged")), 0) << text("err");
+  const auto cases = [&](const char* file) {
+    std::vector<std::string> names;
+    const Json study_json = parse_json(text(file), file);
+    for (const Json& row : study_json["rows"]) names.push_back(row["case"]);
+    return names;
+  };
+  EXPECT_EQ(cases("merged/study.json"), cases("single/study.json"));
+  EXPECT_FALSE(contains(text("merged/study.html"), "no picture"));
+  EXPECT_EQ(run("study " + in("merged/spec.json") + " -o " + in("merged")), 0) << "and it can be gone on with";
+  EXPECT_TRUE(contains(text("out"), "0 rows measured, 4 found")) << text("out");
+
+  ASSERT_EQ(run(study + " --set ambient=0.3 -o " + in("other")), 0) << text("err");
+  EXPECT_EQ(run("study --merge " + in("shard1") + " " + in("other") + " -o " + in("never")), 2);
+  EXPECT_TRUE(contains(text("err"), "other settings")) << text("err");
+  EXPECT_FALSE(fs::exists(folder_ / "never")) << "nothing half-written";
+  EXPECT_EQ(run("study --merge " + in("shard1")), 2) << "without -o";
+  EXPECT_EQ(run("study quick --merge " + in("shard1") + " -o " + in("never")), 2);
+}
+
+TEST_F(Program, ASweepTakesASceneOfOnesOwn) {
+  const std::string into = " -o \"" + folder_.string() + "\"";
+  EXPECT_EQ(run("stability volume-level --scene builtin:layers --lights 4 --size 64x36" + into), 0) << text("err");
+  EXPECT_TRUE(contains(text("out"), "--scene builtin:layers")) << text("out");
+  EXPECT_GT(text("stability.html").size(), 1000u);
+  EXPECT_EQ(run("stability near-corner --scene builtin:layers" + into), 2);
+  EXPECT_TRUE(contains(text("err"), "near-corner")) << text("err");
+  EXPECT_EQ(run("stability volume-level --set lights.volume.fit=inscribed" + into), 2);
+  EXPECT_TRUE(contains(text("err"), "lights.volume.fit")) << text("err");
 }
 
 TEST_F(Program, ReferenceAndErrorAreViewsOnRequest) {

@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 SPEC = {"name": "web", "label": "Two layouts & <b>markup</b>", "base": {"scene": "builtin:layers", "size": "128x72", "lights": 4},
         "permute": [{"layout": ["exact", "compact"], "normal.encoding": ["oct8", "oct16", "xy-sqrt"]},
@@ -203,6 +204,11 @@ def without_script(b, url, shot):
     b.ask("Emulation.setScriptExecutionDisabled", value=True)
     b.ask("Emulation.setEmulatedMedia", media="", features=[])
     b.ask("Page.navigate", url=url)
+    while b.js("document.readyState") != "complete" or not b.js("location.href").startswith("file:"):
+        time.sleep(0.05)
+    check(not b.js("document.documentElement.classList.contains('script')"), "without its script")
+    check(b.js("document.querySelectorAll('#rows tbody tr').length") > 0 and b.js(DOTS + ".length") > 0, "chart and table are there")
+    check(b.js("[...document.querySelectorAll('.js')].every(e => getComputedStyle(e).display === 'none')"), "and no control that would do nothing")
     shot("without-script")
     b.ask("Emulation.setScriptExecutionDisabled", value=False)
 

@@ -17,13 +17,16 @@ std::string words_of(const std::vector<Assignment>& values) {
   return text.empty() ? "nothing lost" : text;
 }
 
-// Those that were measured; the answer and the runner-up among them.
+// The answer, the runner-up, and what else was measured.
 std::vector<AdvisedSetup> setups_of(const Advice& advice) {
-  std::vector<AdvisedSetup> out = advice.measured;
-  for (const std::optional<AdvisedSetup>& s : {advice.best, advice.runner_up}) {
-    const auto is_it = [&](const AdvisedSetup& o) { return o.settings == s->settings; };
-    if (s && std::none_of(out.begin(), out.end(), is_it)) out.push_back(*s);
-  }
+  std::vector<AdvisedSetup> out;
+  const auto add = [&](const AdvisedSetup& s) {
+    const auto is_it = [&](const AdvisedSetup& o) { return o.settings == s.settings; };
+    if (std::none_of(out.begin(), out.end(), is_it)) out.push_back(s);
+  };
+  if (advice.best) add(*advice.best);
+  if (advice.runner_up) add(*advice.runner_up);
+  for (const AdvisedSetup& s : advice.measured) add(s);
   return out;
 }
 
@@ -106,9 +109,9 @@ PageChart chart_of(const std::vector<AdvisedSetup>& setups, const Advice& advice
 }
 
 std::string budget_words(const ErrorBudget& b) {
-  const std::string codes = fmt::format("{:.3g} codes of 255 as displayed", 255 * b.display_difference);
-  return b.share_over > 0 ? fmt::format("{:.3g} % of the pixels hold {}", 100 * (1 - b.share_over), codes)
-                          : fmt::format("every pixel holds {}", codes);
+  const std::string pixels =
+      b.share_over > 0 ? fmt::format("{:.3g} % of the pixels", 100 * (1 - b.share_over)) : "all pixels";
+  return fmt::format("{} within {:.3g}/255 of the reference as displayed", pixels, 255 * b.display_difference);
 }
 
 }  // namespace
@@ -117,8 +120,8 @@ Page advice_page(const Advice& advice, const AdviceAsked& asked, const Machine& 
                  const std::function<std::string(const Settings&)>& command) {
   Page page{.title = fmt::format("The cheapest set-up for {}", asked.truth.scene),
             .how_to_read =
-                fmt::format("Asked for: {}, at the least {}. Looked at from {} cameras.{}", budget_words(asked.budget),
-                            row(asked.cost).unit, kAdviceCameras, advice.stopped ? " Stopped before the answer." : ""),
+                fmt::format("Asked for: {}. Cheapest by {}. Looked at from {} cameras.{}", budget_words(asked.budget),
+                            row(asked.cost).id, kAdviceCameras, advice.stopped ? " Stopped before the answer." : ""),
             .rows_are = "What was tried",
             .marked = "chosen"};
   page.machine = {{"device", machine.device}, {"driver", machine.driver}, {"gbufferlab", made_by()}};

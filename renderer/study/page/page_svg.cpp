@@ -12,9 +12,9 @@ namespace gbl {
 namespace {
 
 // Units of the drawing: pixels when the page is as wide.
-constexpr glm::dvec2 kFrame{870, 470}, kCorner{76, 34}, kWhole{960, 558};
+constexpr glm::dvec2 kFrame{858, 470}, kCorner{90, 36}, kWhole{960, 566};
 constexpr double kDot = 5.5;
-constexpr glm::dvec2 kLetter{7.4, 15};  // of a name beside a dot, on the average
+constexpr glm::dvec2 kLetter{8.6, 17};  // of a name beside a dot, on the average
 
 // Disc, square, triangles, diamond, pentagon; seven colours stand in the style sheet: 42 families differ.
 constexpr const char* kShapes[] = {"M-5 0a5 5 0 1 0 10 0a5 5 0 1 0-10 0z",
@@ -34,11 +34,11 @@ glm::dvec2 place(const PageChart& c, const PagePoint& p) { return {across(c.x.sh
 
 std::string tick_across(double x, const std::string& label) {
   return fmt::format(R"(<path d="M{0:.1f} {1}v{2}"/><text x="{0:.1f}" y="{3}" text-anchor="middle">{4}</text>)", x,
-                     kCorner.y, kFrame.y, kCorner.y + kFrame.y + 18, html_text(label));
+                     kCorner.y, kFrame.y, kCorner.y + kFrame.y + 20, html_text(label));
 }
 std::string tick_down(double y, const std::string& label) {
   return fmt::format(R"(<path d="M{0} {1:.1f}h{2}"/><text x="{3}" y="{4:.1f}" text-anchor="end">{5}</text>)", kCorner.x,
-                     y, kFrame.x, kCorner.x - 7, y + 4.5, html_text(label));
+                     y, kFrame.x, kCorner.x - 7, y + 5, html_text(label));
 }
 
 // Zero has a row of its own on a logarithmic axis, which knows none: a band, so that nobody takes it for the smallest value.
@@ -132,7 +132,7 @@ std::string label(const PagePoint& p, const PlacedLabel& l, glm::dvec2 from) {
   if (l.line_to)
     text += fmt::format(R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", from.x, from.y, l.line_to->x + kCorner.x,
                         l.line_to->y + kCorner.y);
-  return text + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text></g>\n", at.x, at.y + 4.5,
+  return text + fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text></g>\n", at.x, at.y + 5,
                             html_text(p.label));
 }
 
@@ -179,7 +179,7 @@ std::string axis_control(const PageAxis& axis, const char* name, const char* wor
 
 // Sound: filled; unsound: open. A family has both where its set-ups differ in other choices.
 std::string legend(const PageChart& c) {
-  std::string text = "<ul class=\"legend\">\n";
+  std::string text = "<div class=\"legends\"><ul class=\"legend\">\n";
   for (const bool sound : {true, false}) {
     std::string families;
     for (size_t f = 0; f < c.families.size(); ++f)
@@ -203,7 +203,7 @@ std::string legend(const PageChart& c) {
             html_text(c.marked)) +
         "\n";
   text += axis_control(c.x, "x", "logarithmic to the right") + axis_control(c.y, "y", "logarithmic upwards");
-  return text + "</ul>\n";
+  return text + "</ul></div>\n";
 }
 
 }  // namespace

@@ -6,9 +6,16 @@
 namespace gbl {
 namespace {
 
+// Names of columns may be broken after each word.
+std::string breakable(const std::string& html) {
+  std::string out;
+  for (const char c : html) out += c == '_' ? std::string("_<wbr>") : std::string(1, c);
+  return out;
+}
+
 std::string heading(const PageColumn& c) {
   const std::string help = c.help.empty() ? "" : fmt::format(" title=\"{}\"", html_text(c.help));
-  return fmt::format("<th scope=\"col\"{}><span>{}</span></th>", help, html_text(c.title));
+  return fmt::format("<th scope=\"col\"{}><span>{}</span></th>", help, breakable(html_text(c.title)));
 }
 
 std::string cell(const PageCell& c) {
