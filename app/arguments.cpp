@@ -96,7 +96,8 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
   if (command == "study") {
     add_settings(app, a);
     app.add_option("spec", a.what, "a built-in study (list studies) or a spec's JSON file; default: tradeoff");
-    app.add_option("-o,--output", a.output, "folder of rows.jsonl and the charts, made if need be (default: out/NAME)");
+    app.add_option("-o,--output", a.output,
+                   "folder of rows.jsonl, the page and the charts, made if need be (default: out/NAME)");
     app.add_option(
         "--axes", a.axes,
         "make the study from options, comma-separated: every value of each alone first, then pairs, then more");
@@ -110,7 +111,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("sweep", a.sweeps, "sweeps by id; default: all. An unknown one is answered with the known ones");
     add_number(app, "--configurations", a.configurations, "of cull-families, in each family (default: 48)", 1, 1000);
     app.add_option("-o,--output", a.output,
-                   "folder of points.jsonl, tables and charts, made if need be (default: out/stability)");
+                   "folder of points.jsonl, the page, tables and charts, made if need be (default: out/stability)");
     app.add_option("--shard", a.shard, "i/n: every n-th point of a curve from the i-th, for several machines");
   }
   if (command == "pitfalls") {

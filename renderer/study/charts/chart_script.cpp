@@ -10,15 +10,6 @@
 namespace gbl {
 namespace {
 
-// Okabe and Ito 2008, "Color Universal Design", without their yellow: too pale on white.
-constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
-// gnuplot's numbers: disc, square, triangles, diamond, pentagon; filled where sound, open where not. 6 shapes and 7
-// colours meet again after 42 families; neighbours differ in both.
-struct Shape {
-  int filled, open;
-};
-constexpr Shape kShapes[] = {{7, 6}, {5, 4}, {9, 8}, {11, 10}, {13, 12}, {15, 14}};
-
 // Pixels of the picture; the frame's place in it is fixed, so that names can be kept apart from marks.
 constexpr glm::dvec2 kPicture{1280, 800};
 constexpr glm::dvec2 kFrameFrom{0.085, 0.1}, kFrameTo{0.755, 0.91};  // shares of the picture
@@ -143,9 +134,8 @@ std::string family_block(const Chart& chart, const Places& places, size_t family
 }
 
 std::string family_plot(const Chart& chart, size_t family, bool sound) {
-  const Shape& shape = kShapes[family % std::size(kShapes)];
   return fmt::format(", \\\n  ${}{} using 1:2 with points pt {} ps 1.2 lc rgb '{}' title {}", sound ? "S" : "U", family,
-                     sound ? shape.filled : shape.open, kColours[family % std::size(kColours)],
+                     series_shape(family, sound), series_colour(family),
                      gnuplot_text(chart.families[family].empty() ? "other" : chart.families[family]));
 }
 
@@ -162,9 +152,7 @@ FamilyPlots family_plots(const Chart& chart, const Places& places) {
       out.blocks += block;
       if (!block.empty()) plots += family_plot(chart, i, sound);
     }
-    if (!plots.empty())
-      out.plots += fmt::format(", \\\n  keyentry with points pt 0 lc rgb '#ffffff' title '{}'{}",
-                               sound ? "sound (filled):" : "unsound (open):", plots);
+    if (!plots.empty()) out.plots += ", \\\n  " + legend_heading(sound ? "sound (filled):" : "unsound (open):") + plots;
   }
   return out;
 }

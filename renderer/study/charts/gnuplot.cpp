@@ -14,6 +14,14 @@
 namespace gbl {
 namespace {
 
+// Okabe and Ito 2008, "Color Universal Design", without their yellow: too pale on white.
+constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+// gnuplot's numbers: disc, square, triangles, diamond, pentagon.
+struct Shape {
+  int filled, open;
+};
+constexpr Shape kShapes[] = {{7, 6}, {5, 4}, {9, 8}, {11, 10}, {13, 12}, {15, 14}};
+
 struct Closer {
   void operator()(std::FILE* f) const { std::fclose(f); }
 };
@@ -76,6 +84,17 @@ std::string run_gnuplot(const std::string& script) {
     cannot(fmt::format("did not draw the chart: {}", first_line(contents(err.get()))),
            "it needs the terminals svg and pngcairo: install the package gnuplot-nox");
   return contents(out.get());
+}
+
+const char* series_colour(size_t n) { return kColours[n % std::size(kColours)]; }
+
+int series_shape(size_t n, bool sound) {
+  const Shape& shape = kShapes[n % std::size(kShapes)];
+  return sound ? shape.filled : shape.open;
+}
+
+std::string legend_heading(const std::string& words) {
+  return fmt::format("keyentry with points pt 0 lc rgb '#ffffff' title {}", gnuplot_text(words));
 }
 
 // In single quotes nothing is special but the quote itself.

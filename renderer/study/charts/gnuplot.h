@@ -14,6 +14,13 @@ std::string run_gnuplot(const std::string& script);
 // A text for a script, quotes included; control characters become spaces.
 std::string gnuplot_text(const std::string&);
 
+// How the n-th family of a chart looks: a colour, and a shape that is filled where sound and open where not. 7 colours and 6
+// shapes meet again after 42 families; neighbours differ in both.
+const char* series_colour(size_t n);
+int series_shape(size_t n, bool sound);
+// A line of the legend without a mark, for "plot".
+std::string legend_heading(const std::string&);
+
 struct ChartTexts {
   std::string title, subtitle;
 };

@@ -20,7 +20,9 @@ struct ValueAxis {
   double low = 0, high = 1;  // of the axis
   double least = 0;          // smaller values are drawn as 0 is
   double zero_at = 0, top = 1;
+  bool percent = false;
 
+  std::string shown(double v) const { return fmt::format("{}", percent ? 100 * v : v); }
   double place(double value) const {
     if (!std::isfinite(value)) return top;
     return logarithmic && value < least ? zero_at : value;
@@ -28,7 +30,7 @@ struct ValueAxis {
 };
 
 ValueAxis axis_of(const SweepResult& result) {
-  ValueAxis a;
+  ValueAxis a{.percent = is_share(sweep_metric(result.sweep->metric))};
   double least = kNoEnd, most = 0, lowest = 0;
   for (const CurveResult& c : result.curves)
     for (const SweepRow& r : c.rows) {
@@ -56,12 +58,23 @@ ValueAxis axis_of(const SweepResult& result) {
   return a;
 }
 
+// Zero has a row of its own on a logarithmic axis, which knows none.
+std::string zero_row(const ValueAxis& a) {
+  constexpr double kHalf = 1.3;
+  return fmt::format(
+      "set object rectangle from graph 0, first {} to graph 1, first {} fc rgb '#f0ece0' fs solid noborder behind\n",
+      a.shown(a.zero_at / kHalf), a.shown(a.zero_at * kHalf));
+}
+
 std::string axis_lines(const ValueAxis& a) {
-  std::string text = fmt::format("set yrange [{}:{}]\n", a.low, a.high);
-  if (a.logarithmic) text += "set logscale y\nset format y '%g'\n";
-  if (a.logarithmic && a.zeros)
-    text += fmt::format("set ytics add ('{}' {})\n", a.folded ? fmt::format("< {:.0g}", a.least) : "0", a.zero_at);
-  if (a.not_finite) text += fmt::format("set ytics add ('not finite' {})\n", a.top);
+  std::string text =
+      fmt::format("set yrange [{}:{}]\nset format y '%g{}'\n", a.shown(a.low), a.shown(a.high), a.percent ? " %%" : "");
+  if (a.logarithmic) text += "set logscale y\n";
+  if (a.logarithmic && a.zeros) {
+    const std::string least = fmt::format("< {:.0g}{}", a.percent ? 100 * a.least : a.least, a.percent ? " %%" : "");
+    text += zero_row(a) + fmt::format("set ytics add ('{}' {})\n", a.folded ? least : "0", a.shown(a.zero_at));
+  }
+  if (a.not_finite) text += fmt::format("set ytics add ('not finite' {})\n", a.shown(a.top));
   return text;
 }
 
@@ -69,7 +82,8 @@ std::string axis_lines(const ValueAxis& a) {
 
 std::string block(const CurveResult& c, size_t number, const ValueAxis& axis) {
   std::string text = fmt::format("$C{} << EOD\n", number);
-  for (const SweepRow& r : c.rows) text += r.value ? fmt::format("{}\t{}\n", r.x, axis.place(*r.value)) : "\n";
+  for (const SweepRow& r : c.rows)
+    text += r.value ? fmt::format("{}\t{}\n", r.x, axis.shown(axis.place(*r.value))) : "\n";
   return text + "EOD\n";
 }
 
@@ -91,23 +105,31 @@ std::string range_of(const SweepResult& result) {
   return text;
 }
 
+// A negative interval of points clears the line below each: open marks stay open.
+std::string curve_plot(const CurveResult& c, size_t i, size_t count) {
+  return fmt::format("$C{} using 1:2 with linespoints pi -1 pt {} ps 1.1 lw {:.2f} lc rgb '{}' title {}", i,
+                     series_shape(i, sound(c.settings)), line_width(i, count), series_colour(i),
+                     gnuplot_text(key_of(c)));
+}
+
 std::string curves_text(const SweepResult& result) {
   const Sweep& s = *result.sweep;
   const ValueAxis axis = axis_of(result);
   std::string text = axis_lines(axis) + fmt::format("set xlabel {}\n", gnuplot_text(titled(s.parameter, s.unit)));
   if (s.log_axis) text += "set logscale x\nset format x '%g'\n" + range_of(result);
-  std::string plot;
-  size_t drawn = 0;
-  for (const CurveResult& c : result.curves) {
-    if (c.rows.empty()) continue;
-    text += block(c, drawn, axis);
-    plot += fmt::format("{}$C{} using 1:2 with linespoints pt {} ps 0.9 lw {:.2f} lc rgb '{}' title {}",
-                        plot.empty() ? "plot " : ", \\\n  ", drawn, kShapes[drawn % std::size(kShapes)],
-                        line_width(drawn, result.curves.size()), kColours[drawn % std::size(kColours)],
-                        gnuplot_text(key_of(c)));
-    ++drawn;
+  std::string plots;
+  for (const bool sound : {true, false}) {
+    std::string group;
+    for (size_t i = 0; i < result.curves.size(); ++i) {
+      const CurveResult& c = result.curves[i];
+      if (c.rows.empty() || gbl::sound(c.settings) != sound) continue;
+      text += block(c, i, axis);
+      group += ", \\\n  " + curve_plot(c, i, result.curves.size());
+    }
+    const char* heading = sound ? "sound (filled):" : "unsound (open):";
+    if (!group.empty()) plots += (plots.empty() ? "" : ", \\\n  ") + legend_heading(heading) + group;
   }
-  return text + plot + "\n";
+  return text + "plot " + plots + "\n";
 }
 
 }  // namespace
@@ -118,7 +140,9 @@ std::string stability_script(const SweepResult& result, const std::string& devic
   std::string text =
       fmt::format("set terminal {} size 1280,800 font 'DejaVu Sans,12' noenhanced background '#ffffff'\n",
                   file == StabilityFile::svg ? "svg" : "pngcairo");
-  text += "set encoding utf8\nset datafile separator \"\\t\"\nset grid lc rgb '#dddddd'\nset key outside right top\n";
+  text +=
+      "set encoding utf8\nset datafile separator \"\\t\"\nset grid lc rgb '#dddddd'\nset key outside right top Left "
+      "reverse\n";
   text += fmt::format("set title {}\n", quoted_lines(fmt::format("{}\n{}\n{}", s.label, wrapped(s.help, 90), device)));
   if (has_families(s))
     return text + "set ylabel 'configurations with any pixel over 1/255 (%)'\n" + families_text(result);

@@ -39,11 +39,13 @@ std::string key_of(const CurveResult& c) {
   return holds ? c.curve : c.curve + " (not as stated)";
 }
 
+bool is_share(const SweepMetric& m) { return std::string_view(m.id).ends_with("_share"); }
+
 bool all_or_nothing(const SweepResult& result) {
   double most = 0;
   for (const CurveResult& c : result.curves)
     for (const SweepRow& r : c.rows) most = std::max(most, r.value.value_or(0));
-  return std::string_view(sweep_metric(result.sweep->metric).id).ends_with("_share") && most > 0.99;
+  return is_share(sweep_metric(result.sweep->metric)) && most > 0.99;
 }
 
 static constexpr double kLaneFilled = 0.75;  // of a lane's height, by a share of 1
@@ -63,7 +65,7 @@ std::string lanes_text(const SweepResult& result) {
     plot += fmt::format(
         "{0}$C{1} using 1:2 with filledcurves y1={2} lc rgb '{3}', \\\n  $C{1} using 1:2 with linespoints "
         "pt 7 ps 0.5 lw 1.5 lc rgb '{3}'",
-        plot.empty() ? "plot " : ", \\\n  ", lane, -lane, kColours[lane % std::size(kColours)]);
+        plot.empty() ? "plot " : ", \\\n  ", lane, -lane, series_colour(static_cast<size_t>(lane)));
     names += fmt::format("{}{} {}", names.empty() ? "" : ", ", gnuplot_text(key_of(c)), -lane);
     ++lane;
   }
@@ -87,7 +89,7 @@ std::string families_text(const SweepResult& result) {
   text += "EOD\nplot ";
   for (int family = 0; family < kFamilies; ++family)
     text += fmt::format("{}$D using {}:xtic(1) lc rgb '{}' title 'family {}'", family == 0 ? "" : ", ", family + 2,
-                        kColours[family], "ABC"[family]);
+                        series_colour(static_cast<size_t>(family)), "ABC"[family]);
   return text + "\n";
 }
 

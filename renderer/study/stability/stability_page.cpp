@@ -6,9 +6,12 @@
 
 #include "renderer/base/made_by.h"
 #include "renderer/study/rows/row_words.h"
-#include "renderer/study/stability/stability_chart.h"
+#include "renderer/study/stability/stability_chart_parts.h"
 
 namespace gbl {
+
+using stability::is_share;
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -16,8 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
-
-bool is_share(const SweepMetric& m) { return std::string_view(m.id).ends_with("_share"); }
 
 std::string value_words(const std::optional<double>& value, const SweepMetric& m) {
   if (!value) return "not measured";

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/opening/scene_look.h"
+#include "renderer/study/stability/stability_chart.h"
 #include "renderer/study/stability/stability_page.h"
 #include "tests/test_support.h"
 
@@ -97,6 +98,15 @@ TEST(StabilityPage, EveryPointAndEveryCurveExplainsItself) {
   const std::string html = page_html(page);
   EXPECT_TRUE(contains(html, "a &lt;b&gt;"));
   EXPECT_EQ(html.find("translate(nan"), std::string::npos);
+}
+
+TEST(StabilityChart, IsInPercentTellsSoundFromUnsoundAndGivesZeroARow) {
+  SweepResult result = result_of("volume-level", {0.1, 0.0001, 0});
+  result.curves[1] = {.curve = "b", .rows = result.curves[0].rows};
+  result.curves[1].settings.lights.volume.fit = VolumeFit::inscribed;
+  const std::string script = stability_script(result, "device", StabilityFile::svg);
+  for (const char* part : {"sound (filled):", "unsound (open):", "'%g %%'", "set object rectangle", "ytics add ('0'"})
+    EXPECT_TRUE(contains(script, part)) << part << "\n" << script;
 }
 
 TEST(StabilityPage, OfNoPointsHasNoChart) {
