@@ -56,11 +56,13 @@ std::string words_of(const Arguments& a) {
 
 // Empty: nothing is given, and every sweep is as it is.
 std::optional<SweepGiven> given_to_sweeps(const Arguments& a) {
-  SweepGiven given{.place = is_place_given(a), .ways = a.preset || a.state, .words = words_of(a)};
+  SweepGiven given{
+      .place = is_place_given(a), .state = a.state.has_value(), .ways = a.preset || a.state, .words = words_of(a)};
   if (given.words.empty()) return {};
   Setup setup = setup_of(a);
   given.settings = setup.settings;
-  given.scene = setup.scene || !given.place ? setup.scene : open_scene(setup.settings.scene);
+  given.scene = setup.scene;
+  if (!given.scene && (given.place || given.state)) given.scene = open_scene(setup.settings.scene);
   for (const Assignment& c : given_of(a).explicitly)
     if (c.path != "preset" && c.path != "lights") given.paths.push_back(c.path);
   return given;

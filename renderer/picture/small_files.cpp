@@ -84,8 +84,8 @@ std::string jpeg_bytes(const Image& image, int quality) {
   return bytes;
 }
 
-std::string png_bytes(const PaletteImage& image) {
-  assert(!image.colours.empty() && image.colours.size() <= 16);
+std::string png_bytes(const IndexedImage& image) {
+  assert(!image.palette.empty() && image.palette.size() <= 16);
   struct Writer {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_png_error, on_png_warning);
     png_infop info = png_create_info_struct(png);
@@ -97,13 +97,13 @@ std::string png_bytes(const PaletteImage& image) {
   png_set_IHDR(png, writer.info, static_cast<png_uint_32>(image.size.x), static_cast<png_uint_32>(image.size.y), 4,
                PNG_COLOR_TYPE_PALETTE, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   std::vector<png_color> palette;
-  for (const glm::u8vec3& c : image.colours) palette.push_back({c.r, c.g, c.b});
+  for (const auto& c : image.palette) palette.push_back({c[0], c[1], c[2]});
   png_set_PLTE(png, writer.info, palette.data(), static_cast<int>(palette.size()));
   png_set_compression_level(png, 9);
   png_write_info(png, writer.info);
   png_set_packing(png);
   const auto width = static_cast<size_t>(image.size.x);
-  for (size_t y = 0; y < static_cast<size_t>(image.size.y); ++y) png_write_row(png, &image.codes[y * width]);
+  for (size_t y = 0; y < static_cast<size_t>(image.size.y); ++y) png_write_row(png, &image.index[y * width]);
   png_write_end(png, writer.info);
   return bytes;
 }

@@ -2,7 +2,7 @@
 // Small pictures as the bytes of a file, for pages that hold them. stb_image_write is seen by one file.
 #include <string>
 
-#include "renderer/picture/image.h"
+#include "renderer/picture/palette.h"
 
 namespace gbl {
 
@@ -14,12 +14,6 @@ Image shrunk(const Image&, glm::ivec2 to);
 
 std::string jpeg_bytes(const Image&, int quality);  // quality: 1..100
 
-// A picture of few colours: an index into them per pixel, rows top to bottom.
-struct PaletteImage {
-  glm::ivec2 size{0};
-  std::vector<glm::u8vec3> colours;  // 1..16
-  std::vector<uint8_t> codes;
-};
-std::string png_bytes(const PaletteImage&);  // 4 bits a pixel
+std::string png_bytes(const IndexedImage&);  // of at most 16 colours, 4 bits a pixel
 
 }  // namespace gbl

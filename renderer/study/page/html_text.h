@@ -11,7 +11,6 @@ namespace gbl {
 std::string html_text(std::string_view);
 // For the content of a script element of type application/json: nothing in it ends the element.
 std::string json_for_script(const Json&);
-std::string base64(std::string_view bytes);
 std::string data_url(std::string_view type, std::string_view bytes);  // "data:image/jpeg;base64,…"
 
 }  // namespace gbl

@@ -69,8 +69,8 @@ std::string error_steps() {
   std::string text =
       "<p class=\"steps\">Error map: each dot is the worst of the pixels below it, in codes of 255 as displayed. ";
   for (const ErrorStep& s : kErrorSteps)
-    text += fmt::format("<span><i style=\"background:#{:02x}{:02x}{:02x}\"></i>{}</span> ", s.colour.r, s.colour.g,
-                        s.colour.b, html_text(s.words));
+    text += fmt::format("<span><i style=\"background:#{:02x}{:02x}{:02x}\"></i>{}</span> ", s.colour[0], s.colour[1],
+                        s.colour[2], html_text(s.words));
   return text + "</p>\n";
 }
 

@@ -27,15 +27,15 @@ std::string bytes_of(const std::filesystem::path& path, std::string_view magic) 
 
 }  // namespace
 
-PaletteImage error_map(const Truth& truth, std::span<const glm::vec3> lit, const Display& display, glm::ivec2 size) {
-  PaletteImage map{size, {}, std::vector<uint8_t>(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0)};
-  for (const ErrorStep& s : kErrorSteps) map.colours.push_back(s.colour);
+IndexedImage error_map(const Truth& truth, std::span<const glm::vec3> lit, const Display& display, glm::ivec2 size) {
+  IndexedImage map{size, {}, std::vector<uint8_t>(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0)};
+  for (const ErrorStep& s : kErrorSteps) map.palette.push_back(s.colour);
   for (size_t i = 0; i < truth.pixels(); ++i) {
     if (!truth.present[i]) continue;
     const auto width = static_cast<size_t>(truth.size.x);
     const size_t x = i % width * static_cast<size_t>(size.x) / width;
     const size_t y = i / width * static_cast<size_t>(size.y) / static_cast<size_t>(truth.size.y);
-    uint8_t& code = map.codes[y * static_cast<size_t>(size.x) + x];
+    uint8_t& code = map.index[y * static_cast<size_t>(size.x) + x];
     code = std::max(code, step_of(255 * display_difference(display, lit[i], displayed(display, truth.lit[i]))));
   }
   return map;

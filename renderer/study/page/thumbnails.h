@@ -17,7 +17,7 @@ inline constexpr glm::ivec2 kThumbnailSize{128, 72};  // at most; the shape is t
 // One step of the map's colours: errors from so many codes of 255 as displayed.
 struct ErrorStep {
   double from_codes;
-  glm::u8vec3 colour;
+  std::array<uint8_t, 3> colour;
   const char* words;
 };
 // Brighter is worse, in grey as well: stops of the colour map "magma". The first is where no surface is seen.
@@ -30,7 +30,7 @@ inline constexpr std::array<ErrorStep, 7> kErrorSteps = {{{-1, {128, 128, 128}, 
                                                           {64, {252, 253, 191}, "from 64 codes"}}};
 
 // Each pixel the worst of those below it.
-PaletteImage error_map(const Truth&, std::span<const glm::vec3> lit, const Display&, glm::ivec2 size);
+IndexedImage error_map(const Truth&, std::span<const glm::vec3> lit, const Display&, glm::ivec2 size);
 
 struct Thumbnails {
   std::string picture;    // JPEG

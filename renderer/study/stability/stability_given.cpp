@@ -30,6 +30,8 @@ Paths varied_by(const Sweep& s, bool place) {
   return paths;
 }
 
+bool takes_place(const Sweep& s, const SweepGiven& given) { return given.place || (given.state && !s.keeps.empty()); }
+
 std::string sweeps_that_take_a_scene() {
   std::string ids;
   for (const Sweep& s : sweeps())
@@ -51,25 +53,25 @@ std::string refusal(const Sweep& s, const SweepGiven& given) {
   if (given.place && s.keeps.empty())
     return fmt::format("'{}' needs the scene, camera and lights that it makes; these take others: {}", s.id,
                        sweeps_that_take_a_scene());
-  const Paths varied = varied_by(s, given.place);
+  const Paths varied = varied_by(s, takes_place(s, given));
   for (const std::string& path : given.paths)
     if (varied.contains(path)) return fmt::format("{} is what '{}' varies or needs", path, s.id);
   return "";
 }
 
 std::function<void(SweepSetup&)> given_over(const Sweep& s, const SweepGiven& given) {
-  return [varied = varied_by(s, given.place), given](SweepSetup& setup) {
+  return [varied = varied_by(s, takes_place(s, given)), place = takes_place(s, given), given](SweepSetup& setup) {
     const auto is_given = [&](const Option& o) {
       return std::find(given.paths.begin(), given.paths.end(), o.path) != given.paths.end();
     };
     for (const Option& o : options()) {
       if (o.group == Group::view || varied.contains(o.path)) continue;
       const bool is_size = std::string_view(o.path) == "size";  // a sweep's own is small: it has many points
-      const bool from_place = given.place && o.group == Group::truth && !is_size;
+      const bool from_place = place && o.group == Group::truth && !is_size;
       const bool from_ways = given.ways && o.group == Group::method;
       if (from_place || from_ways || is_given(o)) take(setup.settings, given.settings, o);
     }
-    if (given.place) setup.scene = given.scene;
+    if (place) setup.scene = given.scene;
   };
 }
 

@@ -11,8 +11,9 @@ namespace gbl {
 
 struct SweepGiven {
   Settings settings;                    // as `render` would draw them
-  std::shared_ptr<const Scene> scene;   // of these settings, where `place` is true
-  bool place = false;                   // a scene, a camera or lights are given
+  std::shared_ptr<const Scene> scene;   // of these settings, where one of the next two is true
+  bool place = false;                   // a scene, a camera or lights are given: no sweep may pass over them
+  bool state = false;                   // a state says where one stands: sweeps that make their own scene pass over it
   bool ways = false;                    // a preset or a state says how to draw
   std::vector<std::string> paths = {};  // options that are given by themselves
   std::string words = {};               // as typed

@@ -27,12 +27,12 @@ Image noise(glm::ivec2 size) {
   return image;
 }
 
-PaletteImage palette_noise(glm::ivec2 size) {
+IndexedImage palette_noise(glm::ivec2 size) {
   Pcg32 random(6);
-  PaletteImage image{size, {}, {}};
-  for (const ErrorStep& s : kErrorSteps) image.colours.push_back(s.colour);
+  IndexedImage image{size, {}, {}};
+  for (const ErrorStep& s : kErrorSteps) image.palette.push_back(s.colour);
   for (int i = 0; i < size.x * size.y; ++i)
-    image.codes.push_back(static_cast<uint8_t>(random.in(0, double(kErrorSteps.size()))));
+    image.index.push_back(static_cast<uint8_t>(random.in(0, double(kErrorSteps.size()))));
   return image;
 }
 
@@ -72,13 +72,6 @@ TEST(HtmlText, JsonCannotEndItsScriptElement) {
   const std::string text = json_for_script(json);
   EXPECT_EQ(text.find('<'), std::string::npos) << text;
   EXPECT_EQ(Json::parse(text), json) << "and says the same";
-}
-
-TEST(HtmlText, Base64IsRfc4648s) {
-  for (const auto& [plain, coded] : {std::pair("", ""), std::pair("f", "Zg=="), std::pair("fo", "Zm8="),
-                                     std::pair("foo", "Zm9v"), std::pair("foob", "Zm9vYg==")})
-    EXPECT_EQ(base64(plain), coded);
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(Page, NoTextIsMarkup) {

@@ -33,13 +33,13 @@ TEST(Shrunk, TakesTheMeanInLinearLight) {
 
 TEST(PalettePng, IsReadBackAsWritten) {
   const TemporaryFolder folder("palette");
-  const PaletteImage image{{3, 2}, {{255, 0, 0}, {0, 255, 0}, {7, 8, 9}}, {0, 1, 2, 2, 1, 0}};
+  const IndexedImage image{{3, 2}, {{255, 0, 0}, {0, 255, 0}, {7, 8, 9}}, {0, 1, 2, 2, 1, 0}};
   write_text_file(folder / "p.png", png_bytes(image));
   const Image read = read_png(folder / "p.png");
   ASSERT_EQ(read.size, image.size);
-  for (size_t i = 0; i < image.codes.size(); ++i) {
-    const glm::u8vec3 c = image.colours[image.codes[i]];
-    EXPECT_EQ(glm::u8vec3(read.rgba[4 * i], read.rgba[4 * i + 1], read.rgba[4 * i + 2]), c) << i;
+  for (size_t i = 0; i < image.index.size(); ++i) {
+    const std::array<uint8_t, 3> c = image.palette[image.index[i]];
+    EXPECT_EQ((std::array{read.rgba[4 * i], read.rgba[4 * i + 1], read.rgba[4 * i + 2]}), c) << i;
   }
 }
 
@@ -50,15 +50,15 @@ TEST(ErrorMap, ShowsTheWorstPixelBelowEachDot) {
   std::vector<glm::vec3> lit(truth.pixels(), glm::vec3(0.5f));
   lit[1] = glm::vec3(0.5f, 0.5f + 5.0f / 255, 0.5f);  // of one channel: code 4 to 16
   lit[2].x = std::numeric_limits<float>::quiet_NaN();
-  const PaletteImage map = error_map(truth, lit, linear, {2, 1});
-  EXPECT_EQ(map.codes, (std::vector<uint8_t>{4, 6})) << "not a number is as wrong as can be";
+  const IndexedImage map = error_map(truth, lit, linear, {2, 1});
+  EXPECT_EQ(map.index, (std::vector<uint8_t>{4, 6})) << "not a number is as wrong as can be";
   lit[1] = lit[2] = glm::vec3(0.5f);
-  EXPECT_EQ(error_map(truth, lit, linear, {2, 1}).codes, (std::vector<uint8_t>{1, 1}));
-  EXPECT_EQ(error_map(truth, lit, linear, {4, 2}).codes.back(), 0) << "no surface";
+  EXPECT_EQ(error_map(truth, lit, linear, {2, 1}).index, (std::vector<uint8_t>{1, 1}));
+  EXPECT_EQ(error_map(truth, lit, linear, {4, 2}).index.back(), 0) << "no surface";
 }
 
 TEST(ErrorMap, IsBrighterWhereItIsWorse) {
-  const auto grey = [](const glm::u8vec3& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; };
+  const auto grey = [](const std::array<uint8_t, 3>& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
   for (size_t i = 2; i < kErrorSteps.size(); ++i)
     EXPECT_GT(grey(kErrorSteps[i].colour), grey(kErrorSteps[i - 1].colour) + 10) << i;
 }
