@@ -1,7 +1,9 @@
 #include "renderer/picture/small_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <png.h>
 #include <stdexcept>
 

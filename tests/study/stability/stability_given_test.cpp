@@ -69,8 +69,8 @@ TEST(SweepGiven, AStateBringsItsSceneToTheSweepsThatTakeOne) {
     const std::shared_ptr<const Scene> own = setup.scene;
     given_over(s, given)(setup);
     EXPECT_EQ(setup.scene, s.keeps.empty() ? own : given.scene) << s.id;
-    if (std::string_view(s.id) != "light-count")  // its curves are these formats
-      EXPECT_EQ(setup.settings.accumulation.format, AccumulationFormat::r11g11b10f) << s.id;
+    if (std::string_view(s.id) == "light-count") continue;  // its curves are these formats
+    EXPECT_EQ(setup.settings.accumulation.format, AccumulationFormat::r11g11b10f) << s.id;
   }
 }
 
