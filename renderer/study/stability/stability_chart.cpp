@@ -100,8 +100,8 @@ std::string range_of(const SweepResult& result) {
   if (!(most > 0)) return "";
   std::string text = fmt::format("set xrange [{}:{}]\n", least / 1.3, most * 1.3);
   if (most > 1000 * least) return text;
-  for (double decade = std::pow(10, std::floor(std::log10(least))); decade < most; decade *= 10)
-    text += fmt::format("set xtics add ('{0:g}' {0}, '{1:g}' {1})\n", 2 * decade, 5 * decade);
+  for (int power = static_cast<int>(std::floor(std::log10(least))); std::pow(10, power) < most; ++power)
+    text += fmt::format("set xtics add ('{0:g}' {0}, '{1:g}' {1})\n", 2 * std::pow(10, power), 5 * std::pow(10, power));
   return text;
 }
 
