@@ -44,6 +44,7 @@ std::string words_of(const Arguments& a) {
   if (a.scene) add("--scene", *a.scene);
   if (a.preset) add("--preset", *a.preset);
   if (a.state) add("--state", *a.state);
+  if (a.layout_file) add("--layout-file", *a.layout_file);
   if (a.size) add("--size", *a.size);
   if (a.camera) add("--camera", *a.camera);
   if (a.rig) add("--rig", *a.rig);
