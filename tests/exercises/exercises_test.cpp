@@ -8,6 +8,7 @@
 #include "renderer/exercises/exercise.h"
 #include "renderer/exercises/judge_answer.h"
 #include "renderer/exercises/task_text.h"
+#include "renderer/lessons/lessons.h"
 #include "renderer/options/settings_json.h"
 #include "tests/test_support.h"
 
@@ -180,6 +181,17 @@ TEST(GlslTasks, OctahedronPointsAreThoseOfTheDirections) {
 TEST(GlslTasks, WhatIsNoNumberIsInfinitelyWrong) {
   const GlslCheck check{"", "depths", "linear-depth", "absolute"};
   EXPECT_TRUE(std::isinf(error_with(check, [](auto, auto) { return glm::dvec4(NAN); }).most));
+}
+
+TEST(Exercises, ThoseOfALessonAreThere) {
+  const std::vector<std::string> known = exercise_ids();
+  size_t named = 0;
+  for (const std::string& id : lesson_ids())
+    for (const std::string& e : load_lesson(id).exercises) {
+      EXPECT_NE(std::find(known.begin(), known.end(), e), known.end()) << id << " names " << e;
+      ++named;
+    }
+  EXPECT_GT(named, 0u);
 }
 
 }  // namespace
