@@ -26,7 +26,7 @@ StudyRow row(const char* key, double draw_calls, const std::string& by = made_by
 
 // age_s: how long ago its journal was written.
 fs::path folder_with(const TemporaryFolder& root, const char* name, const std::vector<StudyRow>& rows, int age_s) {
-  const fs::path folder = root / name;
+  fs::path folder = root / name;
   fs::create_directories(folder);
   write_spec(folder, spec_called("s"));
   {
