@@ -120,7 +120,9 @@ void Ui::show(const Snapshot& kept, Settings& settings) {
 const Bookmarks& Ui::bookmarks() const { return state_->bookmarks; }
 void Ui::set_bookmarks(const Bookmarks& kept) { state_->bookmarks = kept; }
 
-void Ui::open_lesson(std::string_view id, Settings& settings) { ui::open_lesson(*state_, settings, load_lesson(std::string(id))); }
+void Ui::open_lesson(std::string_view id, Settings& settings) {
+  ui::open_lesson(*state_, settings, load_lesson(std::string(id)));
+}
 
 void Ui::open_pitfall(std::string_view id, Settings& settings) { ui::open_pitfall(*state_, settings, id); }
 

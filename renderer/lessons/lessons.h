@@ -30,10 +30,11 @@ struct Lesson {
   std::vector<std::string> exercises;  // that go with it, by name; may be empty
 };
 
-std::vector<std::string> lesson_ids();    // as they are taught: by their "order", then by name
+std::vector<std::string> lesson_ids();  // as they are taught: by their "order", then by name
 // One of these, or else a file. Error with the known ones; every step's patch has been tried.
 Lesson load_lesson(const std::string& id_or_file);
-Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string_view where = {});  // where: for messages
+Lesson parse_lesson(std::string_view id, std::string_view json_text,
+                    std::string_view where = {});  // where: for messages
 
 Settings settings_at(const Lesson&, size_t step);
 

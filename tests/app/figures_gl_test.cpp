@@ -111,7 +111,8 @@ TEST_F(FiguresGl, ScaleWidthGreyAndPaper) {
   const Image wide = FigureMaker(lab(), printed).picture(f);
   EXPECT_NEAR(wide.size.x, 12 * 300 / 2.54, 12);
   EXPECT_NEAR(pixels_per_cm(wide, printed), wide.size.x / 12.0, 1e-9);
-  const Image grey = FigureMaker(lab(), {.grey = true}).picture(f), paper = FigureMaker(lab(), {.light = true}).picture(f);
+  const Image grey = FigureMaker(lab(), {.grey = true}).picture(f),
+              paper = FigureMaker(lab(), {.light = true}).picture(f);
   for (size_t i = 0; i < grey.rgba.size(); i += 4)
     ASSERT_TRUE(grey.rgba[i] == grey.rgba[i + 1] && grey.rgba[i] == grey.rgba[i + 2]);
   EXPECT_EQ(paper.rgba[0], 255);
