@@ -98,7 +98,7 @@ FigureWords write_figure(const fs::path& folder, const FigureSpec& f, FigureMake
     write_picture(folder / file, image, texts_of(f, maker.settings(), machine, o), o);
   }
   if (o.numbers && !f.panels.empty()) maker.write_numbers(f, folder / f.id, texts_of(f, maker.settings(), machine, o));
-  const FigureWords words = words_of(f, file, made, o);
+  FigureWords words = words_of(f, file, made, o);
   if (!o.pictures_only) write_words(folder, words);
   return words;
 }
