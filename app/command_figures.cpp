@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
-#include <unistd.h>
 
 #include "app/commands.h"
 #include "app/figure_sets.h"
 #include "app/figure_writer.h"
 #include "app/headless.h"
 #include "app/interrupt.h"
+#include "app/progress_line.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 
@@ -58,38 +58,15 @@ Named names_of(const std::vector<FigureSpec>& figures) {
   return out;
 }
 
-// On a terminal one line that is written over.
-class Progress {
- public:
-  explicit Progress(size_t total) : total_(total), terminal_(isatty(STDERR_FILENO)) {}
-  void next(const std::string& id) {
-    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
-    const std::string left = done_ > 0 && spent > 2
-                                 ? fmt::format(", about {:.0f} s left", spent / double(done_) * double(total_ - done_))
-                                 : "";
-    if (terminal_) fmt::print(stderr, "\r\033[K{}/{}{}  {}", done_ + 1, total_, left, id), std::fflush(stderr);
-    ++done_;
-  }
-  ~Progress() {
-    if (terminal_ && done_ > 0) fmt::print(stderr, "\r\033[K");
-  }
-
- private:
-  size_t total_, done_ = 0;
-  bool terminal_;
-  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-};
-
 ExitCode check_folder(const fs::path& folder, const std::vector<FigureSpec>& figures, FigureMaker& maker, bool json) {
   Json outdated = Json::array();
-  Progress progress(figures.size());
+  ProgressLine progress(figures.size());
   for (const FigureSpec& f : figures) {
     progress.next(f.id);
-    const fs::path path = folder / (f.id + (f.drawing.empty() ? ".png" : ".svg"));
-    const std::string why = why_outdated(path, f, maker);
+    const std::string why = why_outdated(folder, f, maker);
     if (why.empty()) continue;
-    outdated.push_back({{"file", path.string()}, {"why", why}});
-    if (!json) fmt::print("out of date: {} {}\n", path.string(), why);
+    outdated.push_back({{"figure", f.id}, {"why", why}});
+    if (!json) fmt::print("out of date: {}\n", (folder / why).string());
   }
   if (json)
     fmt::print("{}\n", outdated.dump(2));
@@ -98,9 +75,29 @@ ExitCode check_folder(const fs::path& folder, const std::vector<FigureSpec>& fig
   return outdated.empty() ? ExitCode::done : ExitCode::check_failed;
 }
 
+// What would be passed over without a word is refused.
+void require_meant(const Arguments& a) {
+  const bool makes =
+      a.output || a.exr || a.scale || a.width_cm || a.light || a.grey || a.few_colours || a.pictures_only;
+  if (a.what.empty() && (makes || a.check || !a.only.empty()))
+    throw Error(ExitCode::bad_input, "figures", "no set of figures is named",
+                "name one: `gbufferlab figures` lists them");
+  if (a.list && (makes || a.check))
+    throw Error(ExitCode::bad_input, "--list", "only lists: leave out what says how figures are made");
+  if (a.check && (a.output || a.exr || a.pictures_only || a.few_colours))
+    throw Error(ExitCode::bad_input, "--check", "writes nothing",
+                "leave out -o, --exr, --pictures-only and --few-colours");
+}
+
+void say_made(const Arguments& a, size_t made, size_t all, const fs::path& folder) {
+  const char* with = a.pictures_only ? "" : " with captions (.md, .tex, captions.json)";
+  fmt::print("{} of {} figures{} in {}\n", made, all, with, folder.string());
+}
+
 }  // namespace
 
 ExitCode run_figures(const Arguments& a) {
+  require_meant(a);
   if (a.what.empty()) {
     print_names(names_of_sets(), a.json);
     return ExitCode::done;
@@ -111,8 +108,15 @@ ExitCode run_figures(const Arguments& a) {
     print_names(names_of(figures), a.json);
     return ExitCode::done;
   }
-  const FigureOptions options{
-      {a.scale.value_or(1), a.width_cm.value_or(0), a.light, a.grey}, a.what, a.exr, a.few_colours, a.pictures_only};
+
+  const InterruptScope scope;
+  const FigureOptions options{.look = {a.scale.value_or(1), a.width_cm.value_or(0), a.light, a.grey},
+                              .set = a.what,
+                              .numbers = a.exr,
+                              .few_colours = a.few_colours,
+                              .pictures_only = a.pictures_only,
+                              .without = a.without,
+                              .interrupted = &scope.interrupted()};
   const HeadlessContext context;
   Lab lab(without_of(a));
   FigureMaker maker(lab, options.look);
@@ -121,12 +125,13 @@ ExitCode run_figures(const Arguments& a) {
   const fs::path folder = a.output.value_or(fs::path("out") / "figures" / fs::path(set.name).stem());
   make_folder(folder);
   std::vector<FigureWords> words;
-  const InterruptScope scope;
-  Progress progress(figures.size());
+  ProgressLine progress(figures.size());
   for (const FigureSpec& f : figures) {
     if (scope.interrupted()) break;
     progress.next(f.id);
-    words.push_back(write_figure(folder, f, maker, lab.machine(), options));
+    FigureWords made = write_figure(folder, f, maker, lab.machine(), options);
+    if (scope.interrupted() && f.frames) break;  // a film without its end
+    words.push_back(std::move(made));
   }
   if (!a.pictures_only) write_captions(folder, set.title, words);
   if (a.json) {
@@ -134,8 +139,7 @@ ExitCode run_figures(const Arguments& a) {
     for (const FigureWords& w : words) out.push_back(caption_json(w));
     fmt::print("{}\n", out.dump(2));
   } else {
-    fmt::print("{} of {} figures with captions (.md, .tex, captions.json) in {}\n", words.size(), figures.size(),
-               folder.string());
+    say_made(a, words.size(), figures.size(), folder);
   }
   return words.size() < figures.size() ? ExitCode::interrupted : ExitCode::done;
 }

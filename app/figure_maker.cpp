@@ -54,6 +54,11 @@ std::shared_ptr<const ui::PixelNumbers> shown_numbers(Lab& lab, View v, const ui
   return out;
 }
 
+Settings other_side(Settings s, const FigureSpec& f, const FigurePanel& p) {
+  apply_patch(s, p.against->set, place_of(f, p) + ": against");
+  return s;
+}
+
 // The frame from a camera beside it: its planes hold the scene and the frame's own camera.
 Canvas from_outside(Lab& lab, View v, const std::string& camera) {
   Settings s;
@@ -92,17 +97,22 @@ Settings FigureMaker::settings_of_panel(const FigureSpec& f, const FigurePanel& 
   return s;
 }
 
+void FigureMaker::require_drawable(const Settings& s, View v, const std::string& where) {
+  look_up(where, [&] { require_valid(s, lab_.limits()); });
+  if (const std::string missing = why_missing(v, s); !missing.empty())
+    throw Error(ExitCode::bad_input, where, fmt::format("view '{}': {}", row(v).id, missing));
+}
+
 void FigureMaker::check(const FigureSpec& f) {
-  for (const FigurePanel& p : f.panels) {
-    const Settings s = settings_of_panel(f, p, 0);
-    look_up(place_of(f, p), [&] { require_valid(s, lab_.limits()); });
-    if (const std::string missing = why_missing(view_of(p), s); !missing.empty())
-      throw Error(ExitCode::bad_input, place_of(f, p), fmt::format("view '{}': {}", p.view, missing));
-  }
-  if (f.panels.empty()) {
-    const Settings s = settings_of(f.recipe, f.size, f.id);
-    look_up(f.id, [&] { require_valid(s, lab_.limits()); });
-  }
+  if (!f.drawing.empty()) drawing_svg(f, {});
+  if (f.window) require_drawable(settings_of(f.recipe, f.size, f.id), View::final, f.id);
+  const int frames = f.frames ? f.frames->count : 1;
+  for (const FigurePanel& p : f.panels)
+    for (int k = 0; k < frames; ++k) {
+      const Settings s = settings_of_panel(f, p, frames > 1 ? double(k) / (frames - 1) : 0);
+      require_drawable(s, view_of(p), place_of(f, p));
+      if (p.against) require_drawable(other_side(s, f, p), view_of(p), place_of(f, p) + ": against");
+    }
 }
 
 void FigureMaker::draw_panel(SheetMaker& maker, const FigureSpec& f, const FigurePanel& p, double share) {
@@ -112,9 +122,7 @@ void FigureMaker::draw_panel(SheetMaker& maker, const FigureSpec& f, const Figur
   const bool squares = zoom.scale > 1 || p.inset, overlaid = !needs_truth(v);
   std::optional<ui::SheetAgainst> against;
   if (p.against) {
-    Settings other = s;
-    apply_patch(other, p.against->set, place_of(f, p));
-    lab_.draw(other);
+    lab_.draw(other_side(s, f, p));
     draw_any_view(lab_, v, overlaid);
     against =
         ui::SheetAgainst{maker.keep(lab_.copy_of(v, squares)), p.against->from, p.against->left, p.against->right};
@@ -138,7 +146,9 @@ Image FigureMaker::picture(const FigureSpec& f, double share) {
   settings_.reset();
   if (f.window) {
     settings_ = settings_of(f.recipe, f.size, f.id);
-    return first_screen(lab_, *settings_, *f.window, false);
+    Image image = first_screen(lab_, *settings_, *f.window, false);
+    if (look_.grey) make_grey(image);
+    return image;
   }
   SheetMaker maker;
   for (const FigurePanel& p : f.panels) draw_panel(maker, f, p, share);

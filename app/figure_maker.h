@@ -23,7 +23,8 @@ class FigureMaker {
  public:
   FigureMaker(Lab& lab, const FigureLook& look) : lab_(lab), look_(look) {}
 
-  // Error(bad_input) if a panel's settings are not valid here or do not store its view. Draws nothing.
+  // Error(bad_input) if a picture's settings are not valid here or do not store its view, or a drawing cannot be made. Renders
+  // nothing.
   void check(const FigureSpec&);
 
   // share: 0..1 along its keys, of a figure that has frames.
@@ -34,6 +35,7 @@ class FigureMaker {
   int write_numbers(const FigureSpec&, const std::filesystem::path& without_ending, const PngText&);
 
  private:
+  void require_drawable(const Settings&, View, const std::string& where);
   Settings settings_of_panel(const FigureSpec&, const FigurePanel&, double share) const;
   void draw_panel(class SheetMaker&, const FigureSpec&, const FigurePanel&, double share);
 

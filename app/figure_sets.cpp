@@ -58,11 +58,8 @@ FigureSpec figure_of(const Lesson& lesson, size_t k) {
   const LessonStep& step = lesson.steps[k];
   const Settings s = settings_at(lesson, k);
   Json set = Json::object();
-  std::string view = "final";
-  for (size_t i = 0; i <= k; ++i) {
-    set.update(patch_json(lesson.steps[i].set));
-    if (!lesson.steps[i].view.empty()) view = lesson.steps[i].view;
-  }
+  const std::string view = view_at(lesson, k);
+  for (size_t i = 0; i <= k; ++i) set.update(patch_json(lesson.steps[i].set));
   const bool large = step.large || needs_truth(view_by_id(view).view);
   return parse_figure({{"id", fmt::format("{}-{}", lesson.id, k + 1)},
                        {"title", fmt::format("{}, step {}", lesson.title, k + 1)},

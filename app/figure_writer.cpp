@@ -9,6 +9,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/made_by.h"
+#include "renderer/options/settings_json.h"
 #include "renderer/picture/palette.h"
 #include "renderer/picture/picture_difference.h"
 
@@ -22,10 +23,13 @@ namespace fs = std::filesystem;
 constexpr double kSameWithin = 6;
 constexpr int kSquare = 16;
 
+std::string frame_name(const FigureSpec& f, int k) { return fmt::format("{}/{:04}.png", f.id, k + 1); }
+
 FigureWords words_of(const FigureSpec& f, const std::string& file, const std::string& made, const FigureOptions& o) {
   const std::string panels = panel_words(f);
   return {.id = f.id,
           .file = file,
+          .on_paper = file.ends_with(".gif") ? frame_name(f, 0) : "",
           .title = f.title,
           .caption = panels.empty() ? f.caption : f.caption + " " + panels,
           .alt = alt_text(f),
@@ -49,23 +53,56 @@ PngText texts_of(const FigureSpec& f, const Settings& s, const Machine& machine,
   return texts;
 }
 
-// Numbered pictures; returns the file that a document shows.
+double share_of(const FigureSpec& f, int k) { return double(k) / (f.frames->count - 1); }
+
+// Of a longer film before.
+void remove_frames_after(const fs::path& folder, const FigureSpec& f) {
+  for (int k = f.frames->count; fs::exists(folder / frame_name(f, k)); ++k) fs::remove(folder / frame_name(f, k));
+}
+
+// Numbered pictures; returns the file that a document shows. Ends early when it is interrupted.
 std::string write_frames(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine,
                          const FigureOptions& o) {
-  const fs::path numbered = folder / f.id;
-  make_folder(numbered);
+  make_folder(folder / f.id);
+  remove_frames_after(folder, f);
   std::vector<std::string> arguments{"-delay", fmt::format("{:.0f}", 100 / f.frames->per_second), "-loop", "0"};
   for (int k = 0; k < f.frames->count; ++k) {
-    const Image image = maker.picture(f, double(k) / (f.frames->count - 1));
-    const fs::path path = numbered / fmt::format("{:04}.png", k + 1);
+    if (o.interrupted && *o.interrupted) return frame_name(f, 0);
+    const Image image = maker.picture(f, share_of(f, k));
+    const fs::path path = folder / frame_name(f, k);
     write_picture(path, image, texts_of(f, maker.settings(), machine, o), o);
     arguments.push_back(path.string());
   }
-  const std::string gif = (folder / (f.id + ".gif")).string();
-  arguments.push_back(gif);
+  arguments.push_back((folder / (f.id + ".gif")).string());
   if (run_program_if_there("convert", arguments)) return f.id + ".gif";
   fmt::print(stderr, "gbufferlab: {}: ImageMagick is not installed, so the frames were not joined to a GIF\n", f.id);
-  return f.id + "/0001.png";
+  return frame_name(f, 0);
+}
+
+// Of the part that is drawn: what stands before it says what made it.
+std::string drawn_part(const std::string& svg) { return svg.substr(std::min(svg.find("<rect"), svg.size())); }
+
+std::string why_off(const fs::path& path, const FigureSpec& f, FigureMaker& maker, double share) {
+  if (!fs::exists(path)) return "is missing";
+  const Image old = read_png(path), now = maker.picture(f, share);
+  if (old.size != now.size)
+    return fmt::format("is {} x {}, and now it would be {} x {}", old.size.x, old.size.y, now.size.x, now.size.y);
+  const double off = std::min(largest_square_difference(old, now, kSquare),
+                              largest_square_difference(old, expanded(indexed(now)), kSquare));  // either may be kept
+  return off <= kSameWithin ? "" : fmt::format("is off by {:.0f} codes of 255 somewhere", off);
+}
+
+// Of figures that were made before and are not made again, what stands there stays.
+Json captions_before(const fs::path& file, const std::vector<FigureWords>& now) {
+  Json kept = Json::array();
+  if (!fs::exists(file)) return kept;
+  const Json before = read_json(file);
+  const auto again = [&](const Json& f) {
+    return std::any_of(now.begin(), now.end(), [&](const FigureWords& w) { return w.id == f.value("id", ""); });
+  };
+  for (const Json& f : before.value("figures", Json::array()))
+    if (f.is_object() && !again(f)) kept.push_back(f);
+  return kept;
 }
 
 }  // namespace
@@ -77,10 +114,12 @@ void write_words(const fs::path& folder, const FigureWords& words) {
 
 std::string figure_command(const FigureSpec& f, const FigureOptions& o) {
   std::string line = fmt::format("gbufferlab figures {} --only {}", shell_quoted(o.set), f.id);
+  if (!f.drawing.empty()) return line;
   if (o.look.width_cm > 0) line += fmt::format(" --width-cm {:g}", o.look.width_cm);
   if (o.look.scale != 1) line += fmt::format(" --scale {:g}", o.look.scale);
   if (o.look.light) line += " --light";
   if (o.look.grey) line += " --grey";
+  if (!o.without.empty()) line += fmt::format(" --without {}", o.without);
   return line;
 }
 
@@ -104,25 +143,27 @@ FigureWords write_figure(const fs::path& folder, const FigureSpec& f, FigureMake
 }
 
 void write_captions(const fs::path& folder, const std::string& title, const std::vector<FigureWords>& all) {
-  Json figures = Json::array();
+  const fs::path file = folder / "captions.json";
+  Json figures = captions_before(file, all);
   for (const FigureWords& w : all) figures.push_back(caption_json(w));
-  write_text_file(folder / "captions.json",
-                  Json{{"version", 1}, {"title", title}, {"figures", figures}}.dump(2) + "\n");
+  write_text_file(file, Json{{"version", 1}, {"title", title}, {"figures", figures}}.dump(2) + "\n");
 }
 
-std::string why_outdated(const fs::path& path, const FigureSpec& f, FigureMaker& maker) {
-  if (!fs::exists(path)) return "is missing";
+std::string why_outdated(const fs::path& folder, const FigureSpec& f, FigureMaker& maker) {
+  const auto named = [](const std::string& file, const std::string& why) {
+    return why.empty() ? why : file + " " + why;
+  };
   if (!f.drawing.empty()) {
-    const std::string now = drawing_svg(f, {});
-    const auto drawn = [](const std::string& svg) { return svg.substr(svg.find("<rect")); };
-    return drawn(read_text_file(path)) == drawn(now) ? "" : "is drawn otherwise now";
+    const std::string file = f.id + ".svg";
+    if (!fs::exists(folder / file)) return named(file, "is missing");
+    const bool same = drawn_part(read_text_file(folder / file)) == drawn_part(drawing_svg(f, {}));
+    return same ? "" : named(file, "is drawn otherwise now");
   }
-  const Image old = read_png(path), now = maker.picture(f);
-  if (old.size != now.size)
-    return fmt::format("is {} x {}, and now it would be {} x {}", old.size.x, old.size.y, now.size.x, now.size.y);
-  const double off = std::min(largest_square_difference(old, now, kSquare),
-                              largest_square_difference(old, expanded(indexed(now)), kSquare));  // either may be kept
-  return off <= kSameWithin ? "" : fmt::format("is off by {:.0f} codes of 255 somewhere", off);
+  if (!f.frames) return named(f.id + ".png", why_off(folder / (f.id + ".png"), f, maker, 0));
+  for (const int k : {0, f.frames->count - 1})  // the film's ends
+    if (const std::string why = why_off(folder / frame_name(f, k), f, maker, share_of(f, k)); !why.empty())
+      return named(frame_name(f, k), why);
+  return "";
 }
 
 }  // namespace gbl

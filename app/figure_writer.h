@@ -1,5 +1,6 @@
 #pragma once
 // A figure's files: its picture, and its words for those who print it. F12 and the commands write them alike.
+#include <atomic>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct FigureOptions {
   std::string set;       // as it was asked for: for the command in the picture
   bool numbers = false;  // also ID.exr
   bool few_colours = false, pictures_only = false;
+  std::string without = {};                        // features that are switched off
+  const std::atomic<bool>* interrupted = nullptr;  // ends a film early
 };
 
 // Makes it, and writes it to FOLDER as ID.png or ID.svg with its words; with frames as ID/0001.png … and, where ImageMagick is
@@ -27,10 +30,10 @@ FigureWords write_figure(const std::filesystem::path& folder, const FigureSpec&,
 // "gbufferlab figures SET --only ID …": makes this figure again.
 std::string figure_command(const FigureSpec&, const FigureOptions&);
 
-// captions.json: the words of all figures of a folder.
+// captions.json: the words of all figures of a folder; of those that are not made now, the ones that were there.
 void write_captions(const std::filesystem::path& folder, const std::string& title, const std::vector<FigureWords>&);
 
-// Empty: the file shows what the figure shows now. Else what is wrong.
-std::string why_outdated(const std::filesystem::path&, const FigureSpec&, FigureMaker&);
+// Empty: the figure's file in this folder shows what the figure shows now. Else which file, and what is wrong.
+std::string why_outdated(const std::filesystem::path& folder, const FigureSpec&, FigureMaker&);
 
 }  // namespace gbl

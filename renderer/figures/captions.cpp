@@ -28,6 +28,15 @@ std::string whole_caption(const FigureWords& w, std::string (*escaped)(std::stri
   return text;
 }
 
+// A drawing is included by the package svg, which has no alt text: it stands in a comment then.
+std::string latex_picture(const FigureWords& w) {
+  const std::string& file = w.on_paper.empty() ? w.file : w.on_paper;
+  const std::string width = w.width_cm > 0 ? fmt::format("{:.4g}cm", w.width_cm) : "\\linewidth";
+  if (file.ends_with(".svg"))
+    return fmt::format("  % {}\n  \\includesvg[width={}]{{{}}}\n", w.alt, width, file.substr(0, file.size() - 4));
+  return fmt::format("  \\includegraphics[width={},alt={{{}}}]{{{}}}\n", width, latex_escaped(w.alt), file);
+}
+
 }  // namespace
 
 std::string latex_escaped(std::string_view text) {
@@ -38,7 +47,7 @@ std::string latex_escaped(std::string_view text) {
       case '^': out += "\\textasciicircum{}"; break;
       case '<': out += "\\textless{}"; break;
       case '>': out += "\\textgreater{}"; break;
-      case '"': out += "\\textquotedbl{}"; break;
+      case '"': out += "\\symbol{34}"; break;  // \\textquotedbl wants another encoding of fonts
       case '{':
       case '}':
       case '#':
@@ -86,11 +95,10 @@ std::string markdown_caption(const FigureWords& w) {
 }
 
 std::string latex_caption(const FigureWords& w) {
-  const std::string width = w.width_cm > 0 ? fmt::format("{:.4g}cm", w.width_cm) : "\\linewidth";
   return fmt::format(
-      "% G-Buffer Lab {}\n% {}\n\\begin{{figure}}\n  \\centering\n  \\includegraphics[width={},alt={{{}}}]{{{}}}\n"
-      "  \\caption{{{}}}\n  \\label{{fig:{}}}\n\\end{{figure}}\n",
-      w.made_by, w.command, width, latex_escaped(w.alt), w.file, whole_caption(w, latex_escaped), w.id);
+      "% G-Buffer Lab {}\n% {}\n\\begin{{figure}}\n  \\centering\n{}  \\caption{{{}}}\n  "
+      "\\label{{fig:{}}}\n\\end{{figure}}\n",
+      w.made_by, w.command, latex_picture(w), whole_caption(w, latex_escaped), w.id);
 }
 
 Json caption_json(const FigureWords& w) {

@@ -13,6 +13,7 @@ std::string markdown_escaped(std::string_view);  // within a line
 // What a figure in a document needs to say.
 struct FigureWords {
   std::string id, file;             // "lost-light", "lost-light.png"
+  std::string on_paper = {};        // the file for LaTeX, where that is another one: of a film its first picture
   std::string title, caption, alt;  // sentences
   std::string source;               // what it shows the figure of; may be empty
   std::string command, made_by;     // for a shell; version and driver

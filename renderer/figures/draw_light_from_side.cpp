@@ -37,6 +37,15 @@ Light picked(const Settings& s) {
   return light;
 }
 
+// Half of what is seen in the plane of the view axis and a point: at distance 1, of an orthographic camera anywhere.
+double half_extent_towards(const Camera& c, double aspect, const glm::dvec3& to) {
+  const double half_height = c.half_height(aspect), x = std::abs(glm::dot(to, c.right())),
+               y = std::abs(glm::dot(to, c.up()));
+  const double aside = std::hypot(x, y);
+  if (aside == 0) return half_height;
+  return std::min(x > 0 ? half_height * aspect * aside / x : INFINITY, y > 0 ? half_height * aside / y : INFINITY);
+}
+
 }  // namespace
 
 std::string draw_light_from_side(const Settings& s, const std::string& title) {
@@ -52,13 +61,16 @@ std::string draw_light_from_side(const Settings& s, const std::string& title) {
   const auto at = [&](double x, double y) {
     return glm::dvec2(kPage.x / 2 + (x - (left + right) / 2) * scale, kPage.y / 2 - y * scale);
   };
-  const double slope = c.half_height(double(s.size.x) / s.size.y);
+  const double slope = half_extent_towards(c, double(s.size.x) / s.size.y, to);
+  const double at_eye = c.orthographic() ? slope : 0,
+               grows = c.orthographic() ? 0 : slope;  // half the frustum's height
   std::string body = svg_text({20, 28}, title, SvgAnchor::start, 16);
-  const glm::dvec2 frustum[] = {at(right, slope * right), at(0, 0), at(right, -slope * right)};
+  const glm::dvec2 frustum[] = {at(right, at_eye + grows * right), at(0, at_eye), at(0, -at_eye),
+                                at(right, -at_eye - grows * right)};
   body += svg_path(frustum, false, {"#888", 1.5, "", "#f4f4f4"});
   body += svg_path(circle(at(along, aside), mesh * scale), true, {"#a40000", 1.5, "6 4"});
   body += svg_path(circle(at(along, aside), light.range * scale), true, {"#204a87", 2});
-  body += svg_line(at(c.near, -slope * c.near), at(c.near, slope * c.near), {"#4e9a06", 3});
+  body += svg_line(at(c.near, -at_eye - grows * c.near), at(c.near, at_eye + grows * c.near), {"#4e9a06", 3});
   body += svg_path(circle(at(0, 0), 4), true, {"#222", 1, "", "#222"}) +
           svg_path(circle(at(along, aside), 3), true, {"#204a87", 1, "", "#204a87"});
   const double apart = glm::length(to);

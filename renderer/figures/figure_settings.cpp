@@ -19,13 +19,17 @@ std::optional<double> number(const OptionValue& v) {
   return n ? std::optional(n->value) : std::nullopt;
 }
 
-OptionValue between(const OptionValue& a, const OptionValue& b, double share) {
-  if (const auto x = number(a), y = number(b); x && y) return *x + (*y - *x) * share;
+// whole: of an option that takes whole numbers only
+OptionValue between(const OptionValue& a, const OptionValue& b, double share, bool whole) {
+  if (const auto x = number(a), y = number(b); x && y) {
+    const double value = *x + (*y - *x) * share;
+    return whole ? OptionValue(static_cast<long long>(std::llround(value))) : OptionValue(value);
+  }
   const auto* from = std::get_if<OptionList>(&a);
   const auto* to = std::get_if<OptionList>(&b);
   if (!from || !to || from->size() != to->size()) return a;
   OptionList out;
-  for (size_t i = 0; i < from->size(); ++i) out.push_back(between((*from)[i], (*to)[i], share));
+  for (size_t i = 0; i < from->size(); ++i) out.push_back(between((*from)[i], (*to)[i], share, whole));
   return out;
 }
 
@@ -60,9 +64,10 @@ std::vector<Assignment> patch_at(const FigureFrames& f, double share) {
     const OptionValue& next = f.keys[first + 1][i].value;
     if (rest >= 1)
       patch[i].value = next;
+    else if (patch[i].path == kOrientation)
+      patch[i].value = turned(patch[i].value, next, rest);
     else
-      patch[i].value =
-          patch[i].path == kOrientation ? turned(patch[i].value, next, rest) : between(patch[i].value, next, rest);
+      patch[i].value = between(patch[i].value, next, rest, option(patch[i].path).kind == Kind::integer);
   }
   return patch;
 }

@@ -90,6 +90,11 @@ FigurePanel parse_panel(const Json& node, const FigureRecipe& of_figure, const s
   }
   p.outside = text_member(node, "outside", where);
   if (Settings tried; !p.outside.empty()) apply_camera(tried, p.outside, where + ": outside");
+  const int of_one = int(p.numbers) + int(p.inset.has_value());
+  if (int(p.against.has_value()) + int(!p.outside.empty()) + int(of_one > 0) > 1)
+    throw Error(ExitCode::bad_input, where,
+                "\"numbers\" and \"inset\", \"against\" and \"outside\" are for one picture only",
+                "make a panel of each");
   return p;
 }
 

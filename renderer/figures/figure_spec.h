@@ -58,7 +58,7 @@ struct FigureFrames {
 };
 
 struct FigureSpec {
-  std::string id;                           // names the files: a-z 0-9 -
+  std::string id;                           // names the files: a-z 0-9 - _
   std::string title, caption, alt, source;  // alt and source may be empty
   glm::ivec2 size{480, 270};                // of each panel's frame, at scale 1
   int columns = 2;

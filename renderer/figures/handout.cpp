@@ -1,9 +1,11 @@
 #include "renderer/figures/handout.h"
 
 #include <cassert>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "renderer/base/base64.h"
+#include "renderer/inspect/views.h"
 #include "renderer/picture/svg.h"
 
 namespace gbl {
@@ -49,9 +51,15 @@ bool asks_anything(const Lesson& lesson) {
   return false;
 }
 
+std::string view_by_hand(const LessonStep& step) {
+  const ViewRow& v = row(view_by_id(step.view).view);
+  const std::string key = *v.key ? v.key : v.view == View::error ? "U" : "O";
+  return fmt::format("`{}` {}{}", key, v.label, step.large ? "" : ", `0` all panels");
+}
+
 // What the step changes, by the keys that change it, too. A place is not found by hand.
 std::string by_hand(const LessonStep& step) {
-  std::string out;
+  std::string out = step.view.empty() ? "" : view_by_hand(step);
   bool moved = false;
   for (const Assignment& a : step.set) {
     const Option& o = option(a.path);
@@ -70,18 +78,19 @@ double minutes_of(const Lesson& lesson) {
 }
 
 // What the lecturer prints and hands out.
-std::string for_the_class(const Lesson& lesson) {
+std::string for_the_class(const Lesson& lesson, const std::string& name) {
   std::string out = fmt::format(
       "\n## For the class\n\nThe handout, with figures, questions and the answers on its last page; and figures for "
       "notes of your own:\n\n"
       "```\ngbufferlab handout {} -o out/handout\ngbufferlab figures sources -o out/figures\n```\n",
-      lesson.id);
+      name);
   if (lesson.exercises.empty()) return out;
   out += "\nExercises that go with it. Each writes its task and what to begin with:\n\n```\n";
   for (const std::string& e : lesson.exercises) out += fmt::format("gbufferlab exercise {0} -o out/exercises/{0}\n", e);
   return out +
-         "gbufferlab exercise --grade answers --csv\n```\n\nThe last line checks the answers of the class, a folder "
-         "for each student.\n";
+         "```\n\n`gbufferlab exercise NAME --check FILE` judges one answer. The answers of a class are files "
+         "`answers/STUDENT/NAME.json` "
+         "(or `.glsl`), and `gbufferlab exercise --grade answers --csv` judges them all.\n";
 }
 
 }  // namespace
@@ -121,7 +130,7 @@ std::string handout_html(const Lesson& lesson, const std::vector<HandoutFigure>&
       escaped(lesson.title), kStyle, body, figures.empty() ? "" : escaped(figures[0].words.made_by));
 }
 
-std::string lecture_script(const Lesson& lesson) {
+std::string lecture_script(const Lesson& lesson, const std::string& name) {
   const double all = minutes_of(lesson);
   std::string out = fmt::format(
       "# {}\n\n{} steps, {:g} minutes. Everything is done from the keyboard:\n\n```\ngbufferlab view --lesson {} "
@@ -130,19 +139,19 @@ std::string lecture_script(const Lesson& lesson) {
       "`Ctrl+Shift+P` brings the "
       "other panels. *By hand* names the keys that do the same without the lesson: the key goes through an option's "
       "values, and `O` lists all options.\n",
-      lesson.title, lesson.steps.size(), all, lesson.id);
+      lesson.title, lesson.steps.size(), all, name);
   double at = 0;
   for (size_t k = 0; k < lesson.steps.size(); ++k) {
     const LessonStep& step = lesson.steps[k];
-    const int minute = static_cast<int>(at), second = static_cast<int>(60 * (at - minute) + 0.5);
-    out += fmt::format("\n## {}. At {}:{:02}, {:g} min\n\n", k + 1, minute, second, step.minutes);
+    const long second = std::lround(60 * at);
+    out += fmt::format("\n## {}. At {}:{:02}, {:g} min\n\n", k + 1, second / 60, second % 60, step.minutes);
     out += fmt::format("- Press: {}\n- Say: {}\n", k == 0 ? "nothing: the lesson opens here" : "`PgDn`", step.say);
     if (!step.question.empty())
       out += fmt::format("- Ask: {}\n- Wait, then press `Enter`: {}\n", step.question, step.answer);
     if (const std::string keys = by_hand(step); !keys.empty()) out += fmt::format("- By hand: {}\n", keys);
     at += step.minutes;
   }
-  return out + for_the_class(lesson);
+  return out + for_the_class(lesson, name);
 }
 
 }  // namespace gbl

@@ -21,6 +21,7 @@ std::string handout_markdown(const Lesson&, const std::vector<HandoutFigure>&);
 std::string handout_html(const Lesson&, const std::vector<HandoutFigure>&);  // A4, without a network, without scripts
 
 // What to press, what to say, and how long it takes: Markdown. No pictures are needed.
-std::string lecture_script(const Lesson&);
+// name: how the lesson is asked for, by its id or its file.
+std::string lecture_script(const Lesson&, const std::string& name);
 
 }  // namespace gbl

@@ -53,6 +53,9 @@ bool large_layout(const Json& node, std::string_view where) {
 std::vector<std::string> names_member(const Json& node, const char* member, std::string_view where) {
   std::vector<std::string> names;
   if (!node.contains(member)) return names;
+  if (!node[member].is_array())
+    throw Error(ExitCode::bad_input, where,
+                fmt::format("\"{}\" is {}, not an array of names", member, node[member].dump()));
   for (const Json& name : node[member]) {
     if (!name.is_string())
       throw Error(ExitCode::bad_input, where,
@@ -62,7 +65,7 @@ std::vector<std::string> names_member(const Json& node, const char* member, std:
   return names;
 }
 
-double minutes_of(const Json& node, std::string_view where) {
+double minutes_member(const Json& node, std::string_view where) {
   if (!node.contains("minutes")) return 1;
   const Json& minutes = node["minutes"];
   if (!minutes.is_number() || !(minutes.get<double>() > 0 && minutes.get<double>() <= 90))
@@ -83,7 +86,7 @@ LessonStep parse_step(const Json& node, std::string_view where) {
   step.answer = text_member(node, "answer", where);
   if (step.question.empty() != step.answer.empty())
     throw Error(ExitCode::bad_input, where, "\"question\" and \"answer\" must come together");
-  step.minutes = minutes_of(node, where);
+  step.minutes = minutes_member(node, where);
   return step;
 }
 
@@ -137,6 +140,12 @@ Settings settings_at(const Lesson& lesson, size_t step) {
   Settings s = preset(lesson.preset).make();
   for (size_t i = 0; i <= step; ++i) apply_patch(s, lesson.steps[i].set, file_name(lesson.id));
   return s;
+}
+
+std::string view_at(const Lesson& lesson, size_t step) {
+  for (size_t k = step + 1; k-- > 0;)
+    if (!lesson.steps[k].view.empty()) return lesson.steps[k].view;
+  return "final";
 }
 
 }  // namespace gbl

@@ -37,5 +37,6 @@ Lesson parse_lesson(std::string_view id, std::string_view json_text,
                     std::string_view where = {});  // where: for messages
 
 Settings settings_at(const Lesson&, size_t step);
+std::string view_at(const Lesson&, size_t step);  // its own, or that of a step before
 
 }  // namespace gbl

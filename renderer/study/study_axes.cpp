@@ -1,6 +1,7 @@
 #include "renderer/study/study_axes.h"
 
 #include <algorithm>
+#include <bit>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -74,7 +75,7 @@ Json product_of(const std::vector<AxisValues>& axes, size_t members) {
   return product;
 }
 
-size_t size_of(size_t members) { return static_cast<size_t>(__builtin_popcountll(members)); }
+size_t size_of(size_t members) { return static_cast<size_t>(std::popcount(members)); }
 
 // Subsets as bits: by their size, and of a size those with the first axes first.
 std::vector<size_t> subsets(size_t axes) {

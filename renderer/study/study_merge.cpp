@@ -31,6 +31,12 @@ fs::file_time_type written(const fs::path& folder) {
   return ignored ? fs::file_time_type::min() : time;
 }
 
+std::vector<fs::path> newest_first(std::vector<fs::path> folders) {
+  std::stable_sort(folders.begin(), folders.end(),
+                   [](const fs::path& a, const fs::path& b) { return written(a) > written(b); });
+  return folders;
+}
+
 void must_be_same(const StudySpec& first, const fs::path& first_folder, const StudySpec& other,
                   const fs::path& folder) {
   if (first.name != other.name)
@@ -59,21 +65,20 @@ StudySpec read_spec_of(const fs::path& folder) {
   return parse_study(read_text_file(file), file.string());
 }
 
-MergedRows merged_rows(std::vector<fs::path> folders) {
+MergedRows merged_rows(const std::vector<fs::path>& folders) {
   MergedRows merged{read_spec_of(folders.front()), {}};
   for (const fs::path& folder : folders) must_be_same(merged.spec, folders.front(), read_spec_of(folder), folder);
-  std::stable_sort(folders.begin(), folders.end(),
-                   [](const fs::path& a, const fs::path& b) { return written(a) > written(b); });
   KeptRows kept(made_by());
-  for (const fs::path& folder : folders)
+  for (const fs::path& folder : newest_first(folders))
     for (StudyRow& row : rows_in(folder)) kept.take(std::move(row));
   merged.rows = kept.rows();
   return merged;
 }
 
 void merge_thumbnails(const std::vector<fs::path>& from, const fs::path& into, const std::vector<StudyRow>& rows) {
+  const std::vector<fs::path> folders = newest_first(from);  // as their rows are taken
   for (const StudyRow& row : rows)
-    for (const fs::path& folder : from) {
+    for (const fs::path& folder : folders) {
       std::error_code ignored;
       if (fs::equivalent(folder, into, ignored)) continue;
       const Thumbnails found = read_thumbnails(folder, row.key);

@@ -18,9 +18,9 @@ struct MergedRows {
 // A row of a key that several have: one that was measured goes before one that failed, one of this program before one of
 // another, and then the one of the folder whose journal was written last. Error(bad_input): a folder holds no study, or
 // not the same one as the first.
-MergedRows merged_rows(std::vector<std::filesystem::path> folders);
+MergedRows merged_rows(const std::vector<std::filesystem::path>& folders);
 
-// The thumbnails of these rows, from whichever folder has them.
+// The thumbnails of these rows, from the newest folder that has them.
 void merge_thumbnails(const std::vector<std::filesystem::path>& from, const std::filesystem::path& into,
                       const std::vector<StudyRow>&);
 

@@ -71,6 +71,14 @@ TEST_F(FiguresGl, AMissingViewIsRefusedBeforeAnythingIsDrawn) {
   EXPECT_FALSE(lab().has_drawn());
 }
 
+TEST_F(FiguresGl, TheOtherSideAndDrawingsAreCheckedToo) {
+  FigureMaker maker(lab(), {});
+  const char* near = R"("panels": [{"view": "final", "against": {"set": {"camera.near": 99999}}}])";
+  EXPECT_THROW(maker.check(figure(near)), Error);
+  EXPECT_THROW(maker.check(figure(R"("drawing": "light-from-side", "preset": "start", "set": {"view.pick": 99})")),
+               Error);
+}
+
 TEST_F(FiguresGl, AgainstShowsTheOtherSettingsRightOfTheLine) {
   FigureMaker maker(lab(), {});
   const char* both = R"("columns": 1, "panels": [{{"view": "albedo", "set": {{"albedo": "{}"}}{}}}])";
@@ -136,20 +144,18 @@ TEST_F(FiguresGl, AnOutdatedPictureIsNamed) {
   FigureMaker maker(lab(), {});
   const FigureSpec f = figure(R"("panels": [{"view": "albedo"}])"),
                    changed = figure(R"("panels": [{"view": "albedo", "set": {"albedo": "white"}}])");
-  EXPECT_EQ(why_outdated(folder / "f.png", f, maker), "is missing");
+  EXPECT_EQ(why_outdated(folder.path(), f, maker), "f.png is missing");
   write_figure(folder.path(), f, maker, lab().machine(), {.look = {}, .set = "test", .few_colours = true});
-  EXPECT_EQ(why_outdated(folder / "f.png", f, maker), "") << "fewer colours are no change";
-  EXPECT_NE(why_outdated(folder / "f.png", changed, maker), "");
+  EXPECT_EQ(why_outdated(folder.path(), f, maker), "") << "fewer colours are no change";
+  EXPECT_NE(why_outdated(folder.path(), changed, maker), "");
 }
 
 // What README and docs show is what the program draws today.
 TEST_F(FiguresGl, TheDocumentsPicturesAreCurrent) {
   FigureMaker maker(lab(), {});
-  for (const FigureSpec& f : figures_named("docs").figures) {
-    const auto path = source_folder() / "docs/images" / (f.id + (f.drawing.empty() ? ".png" : ".svg"));
-    EXPECT_EQ(why_outdated(path, f, maker), "")
-        << path << "\nrun: gbufferlab figures docs --pictures-only --few-colours -o docs/images";
-  }
+  for (const FigureSpec& f : figures_named("docs").figures)
+    EXPECT_EQ(why_outdated(source_folder() / "docs/images", f, maker), "")
+        << "run: gbufferlab figures docs --pictures-only --few-colours -o docs/images";
 }
 
 TEST_F(FiguresGl, EveryFigureOfTheTutorialsCanBeMade) {

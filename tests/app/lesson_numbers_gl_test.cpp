@@ -10,8 +10,9 @@ namespace {
 
 class LessonNumbers : public GlTest {
  protected:
-  Errors errors_at(const std::string& lesson, size_t step) {
+  Errors errors_at(const std::string& lesson, size_t step, const std::vector<Assignment>& patch = {}) {
     Settings s = settings_at(load_lesson(lesson), step - 1);
+    apply_patch(s, patch, "test");
     s.size = {320, 180};
     Lab lab(FeatureSet{});
     lab.open(s.scene);
@@ -59,6 +60,7 @@ TEST_F(LessonNumbers, TheLectureOfTenMinutes) {
   EXPECT_EQ(*twice.lost_pixels, 0);
   EXPECT_NEAR(*bytes.over_1_255_display, 0.47, 0.05) << "nearly half of the pixels";
   EXPECT_LT(*right.over_1_255_display, 0.0005) << "hardly a pixel";
+  EXPECT_GT(*errors_at("ten-minutes", 8, {{"lights.only", 37}}).over_1_255_display, 0.1) << "one near light passes 1";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/docs_pages.h"
 #include "renderer/figures/handout.h"
+#include "renderer/inspect/views.h"
 #include "renderer/study/pitfalls/pages.h"
 #include "tests/test_paths.h"
 
@@ -33,8 +34,24 @@ TEST(Documents, EveryTableIsWhatTheProgramPrints) {
     EXPECT_TRUE(written.count(entry.path().filename().string())) << entry.path() << " belongs to no page";
 }
 
+TEST(Documents, CommandsNameViewsThatThereAre) {
+  static const std::regex kOnly(R"(gbufferlab render[^\n]* --only ([a-z0-9,-]+))");
+  std::vector<std::filesystem::path> pages = {"README.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_folder() / "docs"))
+    if (entry.path().extension() == ".md") pages.push_back("docs" / entry.path().filename());
+  size_t named = 0;
+  for (const std::filesystem::path& page : pages) {
+    const std::string text = text_of(page);
+    for (std::sregex_iterator m(text.begin(), text.end(), kOnly), end; m != end; ++m) {
+      std::istringstream list((*m)[1].str());
+      for (std::string id; std::getline(list, id, ','); ++named) EXPECT_NO_THROW(view_by_id(id)) << page << ": " << id;
+    }
+  }
+  EXPECT_GT(named, 5u);
+}
+
 TEST(Documents, TheLectureIsPrintedFromItsLesson) {
-  EXPECT_EQ(text_of("docs/lecture.md"), lecture_script(load_lesson("ten-minutes")))
+  EXPECT_EQ(text_of("docs/lecture.md"), lecture_script(load_lesson("ten-minutes"), "ten-minutes"))
       << "run: gbufferlab handout ten-minutes --script -o docs, and rename it";
 }
 

@@ -104,7 +104,7 @@ TEST(Handout, ThePageNeedsNothingElse) {
 
 TEST(Handout, TheScriptSaysWhatToPressAndWhen) {
   const Paper p;
-  const std::string script = lecture_script(p.lesson);
+  const std::string script = lecture_script(p.lesson, p.lesson.id);
   EXPECT_TRUE(has(script, "gbufferlab view --lesson three-ways-to-lose-a-light"));
   EXPECT_TRUE(has(script, "`PgDn`"));
   EXPECT_TRUE(has(script, "## 2. At 1:00")) << script.substr(0, 900);

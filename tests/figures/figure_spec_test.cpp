@@ -108,6 +108,23 @@ TEST(Figures, ARefusalNamesFilePlaceAndFix) {
   EXPECT_TRUE(has(with("frames", {{"keys", {{{"time_s", 0}}, {{"exposure", 1}}}}}), "the same paths"));
   EXPECT_TRUE(has(with("panels", {{{"view", "final"}, {"inset", {{"corner", "middle"}}}}}), "top left"));
   EXPECT_TRUE(has(with("panels", {{{"view", "final"}, {"against", {{"left", "a"}}}}}), "both sides"));
+  const Json against = {{"set", {{"exposure", 2}}}};
+  EXPECT_TRUE(has(with("panels", {{{"view", "depth"}, {"numbers", true}, {"against", against}}}), "one picture only"));
+  EXPECT_TRUE(
+      has(with("panels", {{{"view", "depth"}, {"outside", "0,0,9:0,0"}, {"against", against}}}), "one picture only"));
+}
+
+TEST(Figures, WholeNumbersStayWholeBetweenKeys) {
+  Json j = plain_figure();
+  j["frames"] = {{"count", 4}, {"keys", {{{"lights.count", 1}}, {{"lights.count", 3}}}}};
+  const FigureSpec f = parse_figure(j, "f.json");
+  std::vector<int> counts;
+  for (int k = 0; k < 4; ++k) {
+    Settings s;
+    apply_patch(s, patch_at(*f.frames, k / 3.0), "test");
+    counts.push_back(s.lights.count);
+  }
+  EXPECT_EQ(counts, (std::vector<int>{1, 2, 2, 3}));
 }
 
 TEST(Figures, FramesGoEvenlyFromKeyToKey) {

@@ -1,0 +1,21 @@
+#pragma once
+// How far a command is that does one thing after the other: on a terminal a line that is written over, else nothing.
+#include <chrono>
+#include <string>
+
+namespace gbl {
+
+class ProgressLine {
+ public:
+  explicit ProgressLine(size_t total);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  void next(const std::string& what);  // about to be done
+
+ private:
+  size_t total_, done_ = 0;
+  bool terminal_;
+  std::chrono::steady_clock::time_point begun_;
+};
+
+}  // namespace gbl
