@@ -75,11 +75,9 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
       cell += c, ++i;
     else if (c == '"')
       quoted = !quoted;
-    else if (quoted)
-      cell += c;
-    else if (c == ',')
+    else if (!quoted && c == ',')
       table.back().emplace_back();
-    else if (c == '\r' && next == '\n') {
+    else if (!quoted && c == '\r' && next == '\n') {
       ++i;
       if (i + 1 < text.size()) table.emplace_back(1, "");
     } else
@@ -185,7 +183,8 @@ TEST(StudyFiles, EveryColumnCanBeDrawn) {
 
 TEST(StudyFiles, WithoutGnuplotTheTablesAreThere) {
   const TemporaryFolder folder("study-no-gnuplot");
-  const std::string before = std::getenv("PATH");
+  const char* path = std::getenv("PATH");
+  const std::string before = path ? path : "";
   setenv("PATH", folder.path().c_str(), 1);
   const std::string line = error_line(ExitCode::unfinished, [&] {
     write_study_files(folder / "out", spec_with_label("T"), rows(), kMachine, command_of);
