@@ -138,6 +138,7 @@ ExitCode run_exercise(const Arguments& a) {
     throw Error(ExitCode::bad_input, "--limit", "limits nothing here", "give it with --check or --grade");
   if (a.what.empty()) {
     if (a.check) throw Error(ExitCode::bad_input, "--check", "names no exercise", "write exercise NAME --check FILE");
+    if (a.output) throw Error(ExitCode::bad_input, "-o", "names no exercise", "write exercise NAME -o DIR");
     return list_exercises(a);
   }
   const Exercise e = load_exercise(a.what);

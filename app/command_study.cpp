@@ -116,6 +116,7 @@ void refuse_beside_merge(const Arguments& a) {
   if (a.axes) refuse("--axes");
   if (a.shard) refuse("--shard");
   if (a.time_budget) refuse("--budget");
+  if (!a.without.empty()) refuse("--without");
   const Given given = given_of(a);
   if (!given.state.empty() || !given.explicitly.empty()) refuse("settings");
   if (!a.output) throw Error(ExitCode::bad_input, "--merge", "needs a folder to write to", "add -o DIR");
