@@ -7,6 +7,7 @@
 #include "app/headless.h"
 #include "app/lab.h"
 #include "app/picture_texts.h"
+#include "app/truth_drawing.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/exercises/task_text.h"
@@ -39,11 +40,7 @@ void write_pictures(const fs::path& folder, const Arguments& a, const Settings& 
   std::vector<View> views = {View::final};
   if (const View main = view_by_id(s.view.main).view; main != View::final) views.push_back(main);
   for (const View v : views) {
-    if (needs_truth(v))
-      lab.draw_truth_view(v, true);
-    else
-      lab.draw_measured_view(v, {.overlays = lab.is_main(v)});
-    if (v == View::error) lab.take_error_stats(true);
+    draw_any_view(lab, v, lab.is_main(v));
     write_png(folder / fmt::format("{}.png", row(v).id), lab.image_of(v),
               picture_texts(fmt::format("gbufferlab render --only {}", row(v).id), s, lab.machine()));
   }

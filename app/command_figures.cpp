@@ -129,9 +129,8 @@ ExitCode run_figures(const Arguments& a) {
   for (const FigureSpec& f : figures) {
     if (scope.interrupted()) break;
     progress.next(f.id);
-    FigureWords made = write_figure(folder, f, maker, lab.machine(), options);
-    if (scope.interrupted() && f.frames) break;  // a film without its end
-    words.push_back(std::move(made));
+    if (std::optional<FigureWords> made = write_figure(folder, f, maker, lab.machine(), options))
+      words.push_back(std::move(*made));
   }
   if (!a.pictures_only) write_captions(folder, set.title, words);
   if (a.json) {

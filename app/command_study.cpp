@@ -1,6 +1,5 @@
 // `study`: a product of set-ups, each measured as a row; resumed, shared between machines, and drawn as a chart.
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <set>
@@ -12,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/lab.h"
 #include "app/picture_texts.h"
+#include "app/progress_line.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/made_by.h"
@@ -26,12 +26,6 @@ namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string time_left(std::optional<double> seconds) {
-  if (!seconds) return "";
-  const long s = std::lround(*seconds);
-  return s >= 120 ? fmt::format(", {} min left", (s + 30) / 60) : fmt::format(", {} s left", s);
-}
 
 // One line that is written over on a terminal; in a log a line every so often.
 void print_progress(const StudyProgress& p) {
@@ -152,11 +146,12 @@ ExitCode merge_studies(const Arguments& a) {
     merged = merged_rows(folders);
   }
   const StudyPlan plan = expand(merged.spec, scene_called, any_device());
-  std::vector<StudyRow> rows = rows_of(plan, merged.rows);
-  sort_by_plan(rows, plan);
+  sort_by_plan(merged.rows, plan);
   std::string lines;
-  for (const StudyRow& row : rows) lines += journal_line(row);
-  merge_thumbnails(folders, folder, rows);
+  for (const StudyRow& row : merged.rows)
+    lines += journal_line(row);  // those that belong to no chart of this plan, too
+  merge_thumbnails(folders, folder, merged.rows);
+  const std::vector<StudyRow> rows = rows_of(plan, merged.rows);
   write_text_file(folder / "rows.jsonl", lines);
   write_spec(folder, merged.spec);
   write_study_files(folder, merged.spec, rows, {}, bench_command);

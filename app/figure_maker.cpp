@@ -162,7 +162,7 @@ Image FigureMaker::picture(const FigureSpec& f, double share) {
   return image;
 }
 
-int FigureMaker::write_numbers(const FigureSpec& f, const std::filesystem::path& path, const PngText& texts) {
+void FigureMaker::write_numbers(const FigureSpec& f, const std::filesystem::path& path, const PngText& texts) {
   std::vector<std::pair<Settings, std::vector<View>>> frames;  // each drawn once
   for (const FigurePanel& p : f.panels) {
     Settings s = settings_of_panel(f, p, 0);
@@ -178,7 +178,6 @@ int FigureMaker::write_numbers(const FigureSpec& f, const std::filesystem::path&
     const std::string name = i == 0 ? ".exr" : fmt::format("-{}.exr", char('a' + i % 26));
     write_layers(path.string() + name, lab_, frames[i].second, texts);
   }
-  return static_cast<int>(frames.size());
 }
 
 std::string drawing_svg(const FigureSpec& f, const PngText& texts) {

@@ -31,8 +31,8 @@ class FigureMaker {
   Image picture(const FigureSpec&, double share = 0);
   // Of the picture drawn last: its first panel's settings, as asked for.
   const Settings& settings() const { return *settings_; }
-  // The numbers of a figure's panels as EXR files, one for each frame that is drawn: FILE, FILE-b, FILE-c, …; says how many.
-  int write_numbers(const FigureSpec&, const std::filesystem::path& without_ending, const PngText&);
+  // The numbers of a figure's panels as EXR files, one for each frame that is drawn: FILE, FILE-b, FILE-c, …
+  void write_numbers(const FigureSpec&, const std::filesystem::path& without_ending, const PngText&);
 
  private:
   void require_drawable(const Settings&, View, const std::string& where);

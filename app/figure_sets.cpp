@@ -10,7 +10,7 @@
 namespace gbl {
 namespace {
 
-constexpr const char* kPitfalls = "pitfalls";
+constexpr const char *kPitfalls = "pitfalls", *kPitfallsTitle = "Where methods fail, broken and fixed";
 
 Json patch_json(const std::vector<Assignment>& patch) {
   Json out = Json::object();
@@ -40,7 +40,7 @@ FigureSpec figure_of(const PitfallEntry& e) {
 }
 
 FigureSet pitfall_figures() {
-  FigureSet set{kPitfalls, kPitfalls, "Where methods fail, broken and fixed", {}};
+  FigureSet set{kPitfalls, kPitfalls, kPitfallsTitle, {}};
   for (const PitfallEntry& e : load_pitfalls()) set.figures.push_back(figure_of(e));
   return set;
 }
@@ -78,7 +78,7 @@ FigureSpec figure_of(const Lesson& lesson, size_t k) {
 std::vector<FigureSetRow> figure_sets() {
   std::vector<FigureSetRow> out;
   for (const BuiltinFigures& b : builtin_figures()) out.push_back({b.id, b.title});
-  out.push_back({kPitfalls, pitfall_figures().title});
+  out.push_back({kPitfalls, kPitfallsTitle});
   return out;
 }
 

@@ -97,10 +97,13 @@ Json captions_before(const fs::path& file, const std::vector<FigureWords>& now) 
   Json kept = Json::array();
   if (!fs::exists(file)) return kept;
   const Json before = read_json(file);
+  if (!before.is_object() || !before.contains("figures"))
+    throw Error(ExitCode::bad_input, file.string(), "holds no captions", "move it away: it would be written over");
   const auto again = [&](const Json& f) {
-    return std::any_of(now.begin(), now.end(), [&](const FigureWords& w) { return w.id == f.value("id", ""); });
+    return std::any_of(now.begin(), now.end(),
+                       [&](const FigureWords& w) { return f.contains("id") && f["id"] == w.id; });
   };
-  for (const Json& f : before.value("figures", Json::array()))
+  for (const Json& f : before["figures"])
     if (f.is_object() && !again(f)) kept.push_back(f);
   return kept;
 }
@@ -123,8 +126,8 @@ std::string figure_command(const FigureSpec& f, const FigureOptions& o) {
   return line;
 }
 
-FigureWords write_figure(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine,
-                         const FigureOptions& o) {
+std::optional<FigureWords> write_figure(const fs::path& folder, const FigureSpec& f, FigureMaker& maker,
+                                        const Machine& machine, const FigureOptions& o) {
   const std::string made = fmt::format("{} on {}", made_by(), machine.device);
   std::string file = f.id + (f.drawing.empty() ? ".png" : ".svg");
   if (!f.drawing.empty()) {
@@ -132,6 +135,7 @@ FigureWords write_figure(const fs::path& folder, const FigureSpec& f, FigureMake
     write_text_file(folder / file, drawing_svg(f, texts));
   } else if (f.frames) {
     file = write_frames(folder, f, maker, machine, o);
+    if (o.interrupted && *o.interrupted) return {};
   } else {
     const Image image = maker.picture(f);
     write_picture(folder / file, image, texts_of(f, maker.settings(), machine, o), o);

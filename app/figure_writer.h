@@ -2,6 +2,7 @@
 // A figure's files: its picture, and its words for those who print it. F12 and the commands write them alike.
 #include <atomic>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ struct FigureOptions {
 
 // Makes it, and writes it to FOLDER as ID.png or ID.svg with its words; with frames as ID/0001.png … and, where ImageMagick is
 // installed, as ID.gif.
-FigureWords write_figure(const std::filesystem::path& folder, const FigureSpec&, FigureMaker&, const Machine&,
-                         const FigureOptions&);
+// Empty: a film was interrupted; its pictures so far stay.
+std::optional<FigureWords> write_figure(const std::filesystem::path& folder, const FigureSpec&, FigureMaker&,
+                                        const Machine&, const FigureOptions&);
 
 // "gbufferlab figures SET --only ID …": makes this figure again.
 std::string figure_command(const FigureSpec&, const FigureOptions&);

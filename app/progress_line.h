@@ -1,9 +1,13 @@
 #pragma once
 // How far a command is that does one thing after the other: on a terminal a line that is written over, else nothing.
 #include <chrono>
+#include <optional>
 #include <string>
 
 namespace gbl {
+
+// ", 40 s left", ", 3 min left"; empty: not known.
+std::string time_left(std::optional<double> seconds);
 
 class ProgressLine {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "renderer/base/split.h"
 #include "renderer/frame/attachments.h"
 #include "renderer/frame/resolved_frame.h"
 #include "renderer/gbuffer/layouts.h"
@@ -12,16 +13,6 @@ namespace gbl {
 namespace {
 
 constexpr std::string_view kChannels = "rgba", kShines = ", where it shines", kElsewhere = ", elsewhere";
-
-std::vector<std::string_view> split(std::string_view text, std::string_view at) {
-  std::vector<std::string_view> parts;
-  for (size_t end = text.find(at); end != std::string_view::npos; end = text.find(at)) {
-    parts.push_back(text.substr(0, end));
-    text.remove_prefix(end + at.size());
-  }
-  parts.push_back(text);
-  return parts;
-}
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 bool whole_number(std::string_view word, int& n) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/split.h"
 
 namespace gbl {
 namespace {
@@ -78,16 +79,6 @@ class Reader {
     const std::string_view word = rest_.substr(0, rest_.find_first_of(" \t{}"));
     rest_.remove_prefix(word.size());
     return word;
-  }
-
-  std::vector<std::string_view> split(std::string_view text, std::string_view at) const {
-    std::vector<std::string_view> parts;
-    for (size_t end = text.find(at); end != std::string_view::npos; end = text.find(at)) {
-      parts.push_back(text.substr(0, end));
-      text.remove_prefix(end + at.size());
-    }
-    parts.push_back(text);
-    return parts;
   }
 
   void read_attachment() {

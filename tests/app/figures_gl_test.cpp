@@ -132,11 +132,16 @@ TEST_F(FiguresGl, FramesAreNumberedAndMove) {
   const FigureSpec f = figure(
       R"("columns": 1, "panels": [{"view": "depth"}], "frames": {"count": 3, "keys": [{"camera": "20,5,40:0,0:45"}, {"camera": "20,5,20:0,0:45"}]})");
   FigureMaker maker(lab(), {});
-  const FigureWords words = write_figure(folder.path(), f, maker, lab().machine(), {.look = {}, .set = "test"});
+  const FigureWords words = write_figure(folder.path(), f, maker, lab().machine(), {.look = {}, .set = "test"}).value();
   const Image first = read_png(folder / "f/0001.png"), last = read_png(folder / "f/0003.png");
   EXPECT_GT(largest_square_difference(first, last, 8), 10);
   EXPECT_TRUE(std::filesystem::exists(folder / words.file)) << words.file;
   EXPECT_FALSE(std::filesystem::exists(folder / "f/0004.png"));
+  const std::atomic<bool> stop = true;
+  const FigureOptions stopped{.look = {}, .set = "test", .numbers = true, .interrupted = &stop};
+  std::filesystem::remove(folder / "f.md");
+  EXPECT_FALSE(write_figure(folder.path(), f, maker, lab().machine(), stopped)) << "before its first picture";
+  EXPECT_FALSE(std::filesystem::exists(folder / "f.md"));
 }
 
 TEST_F(FiguresGl, AnOutdatedPictureIsNamed) {
@@ -165,7 +170,9 @@ TEST_F(FiguresGl, EveryFigureOfTheTutorialsCanBeMade) {
 
 TEST_F(FiguresGl, EveryPitfallAndEveryLessonMakesFigures) {
   FigureMaker maker(lab(), {});
-  EXPECT_EQ(figures_named("pitfalls").figures.size(), 65u);
+  const FigureSet pitfalls = figures_named("pitfalls");
+  EXPECT_EQ(pitfalls.figures.size(), 65u);
+  for (const FigureSpec& f : pitfalls.figures) EXPECT_NO_THROW(maker.check(f)) << f.id;
   for (const std::string& id : lesson_ids())
     for (const FigureSpec& f : figures_of(load_lesson(id)).figures) EXPECT_NO_THROW(maker.check(f)) << f.id;
 }
