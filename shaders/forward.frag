@@ -1,5 +1,6 @@
 // Surfaces shaded as they are drawn: opaque ones of forward shading, and transparent ones after any lighting.
 // A span of lights per draw: all of them, or one and added up. OUTPUT_COUNT counts pairs instead.
+#define LOOPS_OVER_LIGHTS (OUTPUT != OUTPUT_COUNT && !ONE_LIGHT)
 #include "material.glsl"
 #include "shade.glsl"
 
@@ -21,10 +22,14 @@ void main() {
   Surface s = material_surface(base);
   vec3 sum = vec3(0.0);
 #if !UNLIT
-  for (int i = light_span.x; i < light_span.y; ++i) {
-    Lighting one = shade(s, read_light(i));
-    sum += s.albedo * one.diffuse + one.specular;
+  Receiver r = receiver_of(s);
+  Lighting all = Lighting(vec3(0.0), vec3(0.0));
+  for (int i = light_span.x; i < light_span.y; i += LIGHTS_AT_ONCE) {
+    Lighting some = shade(r, read_lights_from(i));
+    all.diffuse += some.diffuse;
+    all.specular += some.specular;
   }
+  sum = s.albedo * all.diffuse + highlight_scale(r) * all.specular;
 #endif
   sum = ambient_share * (shading.z * s.ambient + s.emissive) + sum * light_scale.y;
 #if BLENDED

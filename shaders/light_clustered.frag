@@ -1,11 +1,9 @@
 // Each pixel reads the list of its cluster, and the list of the lights that are everywhere.
-#include "light_output.glsl"
+#include "light_loop.glsl"
 
-uniform usampler2D light_lists;  // see LightClusters::words()
-uniform vec2 slices;             // slice = log2(depth) * x + y
-uniform ivec2 everywhere;        // where that list starts, how long it is
-
-int word(int i) { return int(texelFetch(light_lists, ivec2(i % LIST_TEXTURE_WIDTH, i / LIST_TEXTURE_WIDTH), 0).r); }
+uniform usamplerBuffer light_lists;  // see LightClusters::words(): a texel holds four
+uniform vec2 slices;                 // slice = log2(depth) * x + y
+uniform ivec2 everywhere;            // the texel at which that list starts, how long it is
 
 // Depth is the distance along the view axis, whatever the depth buffer holds.
 int cluster_of(vec3 position) {
@@ -15,16 +13,25 @@ int cluster_of(vec3 position) {
   return (slice * CLUSTER_ROWS + cell.y) * CLUSTER_COLUMNS + cell.x;
 }
 
+Light read_listed(int texel, int i) {
+  ivec4 four = ivec4(texelFetch(light_lists, texel + i / 4));
+#if LIGHTS_AT_ONCE == 4
+  return read_lights(four);
+#else
+  return read_light(four[i % 4]);
+#endif
+}
+
+void add_list(Receiver r, ivec2 list, inout Sums sums) {
+  for (int i = 0; i < list.y; i += LIGHTS_AT_ONCE) test_and_add(r, read_listed(list.x, i), sums);
+}
+
 void main() {
   Surface s = read_surface(ivec2(gl_FragCoord.xy));
   if (!s.present) discard;
+  Receiver r = receiver_of(s);
   Sums sums = no_sums();
-  int cluster = cluster_of(s.position);
-  int start = word(2 * cluster), own = word(2 * cluster + 1);
-  for (int i = 0; i < own + everywhere.y; ++i) {
-    Light light = read_light(word(i < own ? start + i : everywhere.x + i - own));
-    sums.counts.x += 1.0;
-    if (reaches(light, s.position)) shade_pair(s, light, sums);
-  }
-  write_sums(s, sums);
+  add_list(r, ivec2(texelFetch(light_lists, cluster_of(s.position)).xy), sums);
+  add_list(r, everywhere, sums);
+  write_sums(s, r, sums);
 }

@@ -22,5 +22,5 @@ void main() {
     position += l.range * (sin(turn) * normalize(ray_up.xyz) - cos(turn) * normalize(ray_right.xyz));
   }
   vec4 clip = clip_from_relative * vec4(position, 1.0);
-  gl_Position = endless(l) ? corner_of_screen() : vec4(clip.xy / clip.w, 0.0, 1.0);
+  gl_Position = endless(l.range, light) ? corner_of_screen() : vec4(clip.xy / clip.w, 0.0, 1.0);
 }

@@ -1,17 +1,18 @@
 // Every pixel loops over every light; with RADIUS_TEST it shades only those in range.
-#include "light_output.glsl"
+#include "light_loop.glsl"
 
 void main() {
   Surface s = read_surface(ivec2(gl_FragCoord.xy));
   if (!s.present) discard;
+  Receiver r = receiver_of(s);
   Sums sums = no_sums();
-  for (int i = 0; i < lights.x; ++i) {
-    Light light = read_light(i);
-    sums.counts.x += 1.0;
+  for (int i = 0; i < lights.x; i += LIGHTS_AT_ONCE) {
 #if RADIUS_TEST
-    if (!reaches(light, s.position)) continue;
+    test_and_add(r, read_lights_from(i), sums);
+#else
+    sums.counts.x += 1.0;
+    add_light(r, read_lights_from(i), sums);
 #endif
-    shade_pair(s, light, sums);
   }
-  write_sums(s, sums);
+  write_sums(s, r, sums);
 }

@@ -22,18 +22,19 @@ struct Sums {
 
 Sums no_sums() { return Sums(Lighting(vec3(0.0), vec3(0.0)), vec3(0.0)); }
 
-void shade_pair(Surface s, Light light, inout Sums sums) {
+void add_light(Receiver r, Light light, inout Sums sums) {
 #if OUTPUT == OUTPUT_COUNT
   sums.counts.y += 1.0;
-  if (reaches(light, s.position)) sums.counts.z += 1.0;
+  if (reaches(light, r.position)) sums.counts.z += 1.0;
 #else
-  Lighting one = shade(s, light);
+  Lighting one = shade(r, light);
   sums.light.diffuse += one.diffuse;
   sums.light.specular += one.specular;
 #endif
 }
 
-void write_sums(Surface s, Sums sums) {
+void write_sums(Surface s, Receiver r, Sums sums) {
+  sums.light.specular *= highlight_scale(r);
 #if OUTPUT == OUTPUT_SPLIT
   add_diffuse(sums.light.diffuse);
   add_specular(sums.light.specular);

@@ -6,8 +6,9 @@ flat in int light;
 void main() {
   Surface s = read_surface(ivec2(gl_FragCoord.xy));
   if (!s.present) discard;
+  Receiver r = receiver_of(s);
   Sums sums = no_sums();
   sums.counts.x = 1.0;
-  shade_pair(s, read_light(light), sums);
-  write_sums(s, sums);
+  add_light(r, read_light(light), sums);
+  write_sums(s, r, sums);
 }

@@ -15,7 +15,7 @@ invariant gl_Position;  // the stencil method draws a volume twice, by two progr
 
 #if INSTANCED
 bool kept(Light l) {
-  if (int(light_texel(light * LIGHT_TEXELS + 4).y) != SHAPE) return false;
+  if (int(light_trait(light, 0).y) != SHAPE) return false;
   if (kept_lights == KEEP_ALL) return true;
   float reach = inside_the_mesh ? proxy_reach(l) : l.range;
   return (length(l.position) < reach + inside_margin) == (kept_lights == KEEP_INSIDE);

@@ -8,7 +8,7 @@ layout(location = 3) in vec2 uv0_in;
 layout(location = 4) in vec2 uv1_in;
 layout(location = 5) in vec4 colour_in;
 
-uniform sampler2D instance_data;
+uniform samplerBuffer instance_data;
 uniform int first_instance;
 #if SHADOW_MAP
 uniform mat4 shadow_clip_from_anchored;  // of the light's map; `relative` is then relative to the maps' anchor
@@ -36,8 +36,7 @@ out float gl_ClipDistance[1];
 #endif
 
 vec4 instance_texel(int k) {
-  int i = (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k;
-  return texelFetch(instance_data, ivec2(i % RECORD_TEXTURE_WIDTH, i / RECORD_TEXTURE_WIDTH), 0);
+  return texelFetch(instance_data, (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k);
 }
 
 void main() {

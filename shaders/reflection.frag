@@ -41,14 +41,14 @@ vec3 seen_along(vec3 direction) {
 void main() {
   place_surface();
   Surface s = material_surface(material_base());
-  vec3 to_eye = ray_forward.w > 0.5 ? -ray_forward.xyz : -normalize(s.position);
+  vec3 to_eye = to_eye_of(s.position);
 #if MIRROR_FLAT
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 seen = texelFetch(mirrored, ivec2(textureSize(mirrored, 0).x - 1 - pixel.x, pixel.y), 0).rgb;
 #else
   vec3 seen = seen_along(reflect(-to_eye, s.normal));
 #endif
-  vec3 share = F_Schlick(s.f0, max(dot(s.normal, to_eye), 0.0));
+  vec3 share = s.f0 + F_Schlick(max(dot(s.normal, to_eye), 0.0)) * grazing_of(s.f0);
   vec3 sum = share * seen;
 #if REFRACTS && !MIRROR_FLAT
   // Bent once: where the light enters. Where it leaves is not known here.

@@ -4,11 +4,9 @@
 
 #if SHADOWS
 uniform sampler2D shadow_depth;    // all maps side by side
-uniform sampler2D shadow_records;  // what each is: shared.h
+uniform samplerBuffer shadow_records;  // what each is: shared.h
 
-vec4 shadow_record(int k) {
-  return texelFetch(shadow_records, ivec2(k % RECORD_TEXTURE_WIDTH, k / RECORD_TEXTURE_WIDTH), 0);
-}
+vec4 shadow_record(int k) { return texelFetch(shadow_records, k); }
 
 // 1 if the map's texel lets light through to this depth; beside the map its border counts.
 float shadow_test(ivec2 corner, ivec2 texel, float depth) {

@@ -8,15 +8,20 @@
 #define GBL_BLOCK(name) layout(std140) uniform name
 #endif
 
-// Light records in the light texture, RGBA32F texels:
-//   0: position relative to the camera, range   1: colour, kind   2: direction, inner cosine   3: outer cosine, falloff coefficients
-//   4: the range that the falloff's profile is a function of, the volume's shape, its first shadow map (-1: none)   5: screen bounds, NDC: x from, y from, x to, y to
-#define LIGHT_TEXELS 6
+// Records of lights, RGBA32F texels. What each pair needs:
+//   0: position relative to the camera, range   1: colour, the range that the falloff's profile is a function of
+#define LIGHT_TEXELS 2
+// After the last light come so many of no colour and no range, for what takes four lights at once.
+#define DARK_LIGHTS 4
+// … and the rest:
+//   0: kind, the volume's shape, its first shadow map (-1: none)   1: direction, inner cosine   2: outer cosine, falloff coefficients
+//   3: screen bounds, NDC: x from, y from, x to, y to
+#define LIGHT_TRAIT_TEXELS 4
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2
 
-// Shadow maps in their texture, RGBA32F texels: 0-3 columns of clip_from_relative   4: the tile's corner in texels,
+// Records of shadow maps, RGBA32F texels: 0-3 columns of clip_from_relative   4: the tile's corner in texels,
 // world units of a texel (of a perspective map at distance 1), where the next cascade takes over along the view axis
 #define SHADOW_MAP_TEXELS 5
 
@@ -30,11 +35,9 @@
 #define KEEP_INSIDE 1
 #define KEEP_OUTSIDE 2
 
-// Instance records in the instance texture, RGBA32F texels: 0-3 columns of clip_from_object, 4-6 rows of
+// Records of instances, RGBA32F texels: 0-3 columns of clip_from_object, 4-6 rows of
 // relative_from_object (3x4), 7-9 columns of the normals' matrix; 7.w: -1 where mirrored, 8.w: the object's number, from 1.
 #define INSTANCE_TEXELS 10
-
-#define RECORD_TEXTURE_WIDTH 512
 
 // The textures of a material, in this order wherever they are listed.
 #define MATERIAL_TEXTURES 8

@@ -99,6 +99,9 @@ Device probe_device(FeatureSet without) {
   d.max_size = std::min({d.max_size, viewport[0], viewport[1]});
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &d.max_draw_buffers);
   glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &d.max_texture_units);
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  d.max_buffer_texels = static_cast<size_t>(texels);
   glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &d.time_query_bits);
   d.features = present_features(d.time_query_bits);
   for (const FeatureRow& r : kFeatures)

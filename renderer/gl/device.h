@@ -16,6 +16,7 @@ struct Device {
   int max_size = 0;       // of a texture and viewport, pixels a side
   int max_draw_buffers = 0;
   int max_texture_units = 0;  // of all stages together
+  size_t max_buffer_texels = 0;
   int time_query_bits = 0;
 };
 

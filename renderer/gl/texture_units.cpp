@@ -46,10 +46,14 @@ int unit_of(std::string_view sampler) {
 
 int units_in_use() { return 1 + static_cast<int>(units().size()); }
 
-void bind_texture(std::string_view sampler, const Texture& t) {
+void activate_unit_of(std::string_view sampler) {
   if (kReportsMisuse && units().find(sampler) == units().end() && !a_shader_declares(sampler))
     report_misuse(fmt::format("a texture is bound for '{}', and no shader declares that sampler", sampler));
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit_of(sampler)));
+}
+
+void bind_texture(std::string_view sampler, const Texture& t) {
+  activate_unit_of(sampler);
   glBindTexture(GL_TEXTURE_2D, t.id());
 }
 

@@ -12,5 +12,6 @@ int unit_of(std::string_view sampler);  // Error when the device has no unit lef
 int units_in_use();                     // from 0 on; unit 0 has no sampler: textures are made and written there
 
 void bind_texture(std::string_view sampler, const Texture&);
+void activate_unit_of(std::string_view sampler);  // for a bind of another kind
 
 }  // namespace gbl::gl

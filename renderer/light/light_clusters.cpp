@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/light/light_bounds.h"
 #include "renderer/light/light_volume.h"
@@ -93,7 +94,7 @@ void LightClusters::build(const Camera& camera, double aspect, std::span<const L
   find_slices(view, lights);
   for (size_t i = 0; i < lights.size(); ++i) add(view, lights[i], static_cast<uint32_t>(i));
   keep_within(most_entries);
-  fill();
+  fill(static_cast<uint32_t>(lights.size()));
 }
 
 // From the nearest to the farthest point that any light reaches: elsewhere no list is needed.
@@ -176,25 +177,30 @@ void LightClusters::keep_within(uint32_t most_entries) {
   std::sort(listed_.begin(), listed_.end(), [](const Listed& a, const Listed& b) { return a.light < b.light; });
 }
 
-void LightClusters::fill() {
+void LightClusters::fill(uint32_t no_light) {
+  constexpr uint32_t kTexel = 4;  // words
   const auto each_cell = [&](auto use) {
     for (const Listed& l : listed_)
       for (uint32_t i = l.begin; i < l.end; ++i)
         for (int column = cells_[i].first; column <= cells_[i].last; ++column)
-          use(cells_[i].row * kClusters.x + column, l.light);
+          use(kTexel * static_cast<uint32_t>(cells_[i].row * kClusters.x + column), l.light);
   };
-  words_.assign(2 * kClusterCount, 0);
-  each_cell([&](int cluster, uint32_t) { ++words_[2 * cluster + 1]; });
-  uint32_t start = 2 * kClusterCount;
-  for (int c = 0; c < kClusterCount; ++c) words_[2 * c] = start, start += words_[2 * c + 1];
-  words_.resize(start + everywhere_.size());
-  each_cell([&](int cluster, uint32_t light) { words_[words_[2 * cluster]++] = light; });
-  for (int c = 0; c < kClusterCount; ++c) words_[2 * c] -= words_[2 * c + 1];
-  std::copy(everywhere_.begin(), everywhere_.end(), words_.begin() + start);
+  words_.assign(kTexel * kClusterCount, 0);
+  each_cell([&](uint32_t head, uint32_t) { ++words_[head + 1]; });
+  uint32_t texel = kClusterCount;
+  const auto take = [&](size_t words) {
+    return std::exchange(texel, texel + (static_cast<uint32_t>(words) + kTexel - 1) / kTexel);
+  };
+  for (uint32_t head = 0; head < kTexel * kClusterCount; head += kTexel)
+    words_[head] = take(words_[head + 1]), words_[head + 2] = kTexel * words_[head];  // 2: where the next entry goes
+  everywhere_texel_ = take(everywhere_.size());
+  words_.resize(kTexel * texel, no_light);
+  each_cell([&](uint32_t head, uint32_t light) { words_[words_[head + 2]++] = light; });
+  std::copy(everywhere_.begin(), everywhere_.end(), words_.begin() + kTexel * everywhere_texel_);
 }
 
 std::span<const uint32_t> LightClusters::list(int cluster) const {
-  return words().subspan(words_[2 * cluster], words_[2 * cluster + 1]);
+  return words().subspan(4 * words_[4 * cluster], words_[4 * cluster + 1]);
 }
 
 int LightClusters::cluster_at(glm::dvec2 ndc, double depth) const {

@@ -22,15 +22,15 @@ class LightClusters {
   // A pure function of its arguments; only the memory of the build before is used again.
   void build(const Camera&, double aspect, std::span<const Light>, uint32_t most_entries = kMostClusterEntries);
 
-  // What the shader reads: per cluster two words, where its list starts and how long it is; then the lists, each in
-  // the lights' own order.
+  // What the shader reads, in texels of four words: per cluster one of them, with the texel where its list starts and how
+  // long it is; then the lists, each in the lights' own order and filled up with the number of lights.
   std::span<const uint32_t> words() const { return words_; }
   std::span<const uint32_t> list(int cluster) const;
 
   // The list that every pixel reads beside its cluster's: lights without end, lights that reach more than half of the
   // clusters, and the widest of the others while the lists together would be too long.
-  std::span<const uint32_t> everywhere() const { return words().last(everywhere_.size()); }
-  uint32_t everywhere_start() const { return static_cast<uint32_t>(words_.size() - everywhere_.size()); }
+  std::span<const uint32_t> everywhere() const { return everywhere_; }
+  uint32_t everywhere_texel() const { return everywhere_texel_; }
 
   // slice = floor(log2(depth) * slice_scale + slice_offset), held within 0 … kClusters.z - 1.
   double slice_scale() const { return slice_scale_; }
@@ -53,9 +53,10 @@ class LightClusters {
   bool find_cells(const View&, const glm::dvec3& centre, double radius);
   void add(const View&, const Light&, uint32_t index);
   void keep_within(uint32_t most_entries);
-  void fill();
+  void fill(uint32_t no_light);
 
   double slice_scale_ = 0, slice_offset_ = 0;
+  uint32_t everywhere_texel_ = 0;
   std::vector<double> slice_starts_;
   std::vector<Cells> cells_;
   std::vector<Listed> listed_;

@@ -36,6 +36,7 @@ int draw_shaded_objects(const Frame& frame, const std::vector<ObjectDraw>& draws
   bind_lights(frame);
   gl::Defines defines = frame.shaded_defines();
   defines.push_back({"OUTPUT", static_cast<int>(draw.output)});
+  defines.push_back({"ONE_LIGHT", draw.lights.y - draw.lights.x == 1});
   const glm::ivec2 span = glm::min(draw.lights, glm::ivec2(frame.light_count()));
   return draw_objects(frame, draws, "forward.frag", defines, [&](const gl::Program& program) {
     // An unlit surface reads neither.

@@ -221,7 +221,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
                  const gl::Defines& defines, const std::function<void(const gl::Program&)>& set_uniforms,
                  Corners corners, ObjectFaces faces) {
   if (draws.empty()) return 0;
-  gl::bind_texture("instance_data", frame.targets().uploads.instance_data);
+  gl::bind_texels("instance_data", frame.targets().uploads.instance_data);
   const bool clipped = clips(frame, defines);
   if (clipped) glEnable(GL_CLIP_DISTANCE0);
   for (const ObjectDraw& draw : draws) {

@@ -85,10 +85,11 @@ void bind_gbuffer(const Frame& frame) {
 }
 
 void bind_lights(const Frame& frame) {
-  gl::bind_texture("light_data", frame.targets().uploads.light_data);
+  gl::bind_texels("light_data", frame.targets().uploads.light_data);
+  gl::bind_texels("light_traits", frame.targets().uploads.light_traits);
   if (frame.resolved.shadows.maps.empty()) return;
   gl::bind_texture("shadow_depth", frame.targets().shadows.depth);
-  gl::bind_texture("shadow_records", frame.targets().shadows.records);
+  gl::bind_texels("shadow_records", frame.targets().shadows.records);
 }
 
 void bind_light_sums(const Frame& frame) {
@@ -133,32 +134,29 @@ static_assert(static_cast<int>(VolumeShape::sphere) == VOLUME_SPHERE &&
               static_cast<int>(VolumeShape::screen) == VOLUME_SCREEN);
 
 void upload_lights(Frame& frame) {
-  Uploads& up = frame.targets().uploads;
   const bool reads_bounds = frame.settings.lights.method == LightMethod::quads;
-  up.record_texels.clear();
   const std::vector<int>& first_maps = frame.resolved.shadows.first_map;
+  std::vector<glm::vec4>&data = frame.targets().uploads.record_texels, traits;
+  data.clear();
   size_t next = 0;
   for (const Light& l : frame.lights()) {
+    data.emplace_back(l.position - frame.settings.camera.position, l.range);
+    data.emplace_back(l.colour * frame.resolved.light_sum_scale, l.profile_range);
     const int first_map = first_maps.empty() ? -1 : first_maps[next++];
-    up.record_texels.emplace_back(l.position - frame.settings.camera.position, l.range);
-    up.record_texels.emplace_back(l.colour * frame.resolved.light_sum_scale, static_cast<int>(l.kind));
-    up.record_texels.emplace_back(l.direction, l.inner_cos);
-    up.record_texels.emplace_back(l.outer_cos, l.coefficients);
-    up.record_texels.emplace_back(l.profile_range, static_cast<int>(volume_shape(l)), first_map, 0);
-    up.record_texels.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
+    traits.emplace_back(static_cast<int>(l.kind), static_cast<int>(volume_shape(l)), first_map, 0);
+    traits.emplace_back(l.direction, l.inner_cos);
+    traits.emplace_back(l.outer_cos, l.coefficients);
+    traits.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
-  upload_records(up.light_data, up.record_texels, "light_data", "lights");
+  data.resize(data.size() + LIGHT_TEXELS * DARK_LIGHTS, glm::vec4(0));
+  upload_records(frame.targets().uploads.light_data, data, "light_data", "lights");
+  upload_records(frame.targets().uploads.light_traits, traits, "light_traits", "lights' traits");
 }
 
-void upload_records(gl::Texture& texture, std::vector<glm::vec4>& texels, const char* sampler, const char* label) {
-  const int rows_needed = (static_cast<int>(texels.size()) + RECORD_TEXTURE_WIDTH - 1) / RECORD_TEXTURE_WIDTH;
-  const glm::ivec2 size(RECORD_TEXTURE_WIDTH, std::max(1, rows_needed));
-  texels.resize(static_cast<size_t>(size.x) * size.y);
-  if (texture.size != size || !texture.name)
-    texture = gl::make_texture({.size = size, .format = Format::rgba32f, .label = label});
-  gl::bind_texture(sampler, texture);
-  gl::state_pixel_storage();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels.data());
+void upload_records(gl::TexelBuffer& table, const std::vector<glm::vec4>& texels, const char* sampler,
+                    const char* label) {
+  gl::write_texels(table, Format::rgba32f, texels.data(), texels.size(), label);
+  gl::bind_texels(sampler, table);
 }
 
 namespace {

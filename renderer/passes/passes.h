@@ -23,8 +23,7 @@ void bind_light_sums(const Frame&);
 
 void upload_frame_block(Frame&);
 void upload_lights(Frame&);
-// Rows of float records as a texture; remade only when it must grow or shrink.
-void upload_records(gl::Texture&, std::vector<glm::vec4>& texels, const char* sampler, const char* label);
+void upload_records(gl::TexelBuffer&, const std::vector<glm::vec4>& texels, const char* sampler, const char* label);
 
 // -> draw calls
 int draw_shadow_maps(Frame&);

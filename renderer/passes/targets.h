@@ -7,6 +7,7 @@
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/readback.h"
+#include "renderer/gl/texel_buffer.h"
 #include "renderer/gl/timer.h"
 #include "renderer/light/light_clusters.h"
 #include "renderer/light/shadow_maps.h"
@@ -19,8 +20,8 @@ namespace gbl {
 // What the CPU uploads for a frame.
 struct Uploads {
   gl::Buffer frame_block;
-  gl::Texture light_data, instance_data;
-  gl::Texture light_lists;               // of the clustered method …
+  gl::TexelBuffer light_data, light_traits, instance_data;
+  gl::TexelBuffer light_lists;           // of the clustered method …
   LightClusters clusters;                // … and what they were made from
   std::vector<glm::vec4> record_texels;  // scratch, kept so that a steady frame allocates nothing
 };
@@ -42,7 +43,8 @@ struct ReadBacks {
 
 // Depth as lights see it, all maps side by side, and what each map is: rows of records.
 struct ShadowTargets {
-  gl::Texture depth, records;
+  gl::Texture depth;
+  gl::TexelBuffer records;
   gl::Framebuffer framebuffer;
   // What the tiles hold, so that what has not changed is not drawn again:
   std::weak_ptr<const Scene> scene;

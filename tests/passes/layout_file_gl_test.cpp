@@ -51,7 +51,14 @@ TEST_F(LayoutFiles, TheLabsOwnAsAFileGiveTheSameBits) {
     stage.draw(own);
     const auto expected = stored(stage.targets);
     const FrameReport report = stage.draw(mine);
-    EXPECT_EQ(stored(stage.targets), expected) << gbl::row(l).id;
+    const auto drawn = stored(stage.targets);
+    ASSERT_EQ(drawn.size(), expected.size()) << gbl::row(l).id;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+      const auto off = std::mismatch(drawn[i].begin(), drawn[i].end(), expected[i].begin());
+      EXPECT_TRUE(off.first == drawn[i].end())
+          << gbl::row(l).id << ", attachment " << i << ", byte " << off.first - drawn[i].begin() << ": "
+          << int(*off.first) << ", not " << int(*off.second);
+    }
     EXPECT_EQ(report.gbuffer_bytes_per_pixel, gbuffer_bytes_per_pixel(own)) << gbl::row(l).id;
     EXPECT_EQ(stage.view(View::material, mine), stage.view(View::material, own)) << gbl::row(l).id;
   }

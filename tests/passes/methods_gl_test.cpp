@@ -294,21 +294,6 @@ TEST_F(Methods, AutoDrawsTheMethodThatItNames) {
   EXPECT_GE(chosen.size(), 3u);
 }
 
-// Lists that shrink and grow with the camera's motion are put into the texture that is there.
-TEST_F(Methods, ClusterListsKeepTheirTexture) {
-  Stage stage(yard());
-  Settings s = settings_for(yard(), {64, 36});
-  s.lights.method = LightMethod::clustered;
-  s.lights.count = 300;
-  stage.draw(s);
-  const GLuint texture = stage.targets.uploads.light_lists.id();
-  for (int k = 0; k < 20; ++k) {
-    s.camera.position.x += 0.2;
-    stage.draw(s);
-    EXPECT_EQ(stage.targets.uploads.light_lists.id(), texture) << k;
-  }
-}
-
 // What a pair contributes depends on no method, so neither does it on the light's number or neighbours.
 TEST_F(Methods, LightsAddUp) {
   Stage stage(yard());
@@ -323,6 +308,19 @@ TEST_F(Methods, LightsAddUp) {
     for (size_t k = 0; k < sum.count(); ++k) sum.texels[k] += glm::vec4(glm::vec3(one.texels[k]), 0);
   }
   EXPECT_TRUE(like(sum, all, {.max_abs = 2e-6, .why = "16 float additions in another order of rounding"}));
+}
+
+// Loops take four lights at once; whatever is left over is filled up by dark ones.
+TEST_F(Methods, NoNumberOfLightsLeavesOneOut) {
+  Stage stage(yard());
+  for (int count = 1; count <= 9; ++count) {
+    Settings s = light_alone(settings_for(yard(), {64, 36}));
+    s.lights.count = count;
+    for (const Attenuation a : {Attenuation::none, Attenuation::gltf, Attenuation::ramp}) {
+      s.attenuation = a;
+      expect_all_methods_agree(stage, s, fmt::format("{} lights, {}", count, gbl::row(a).id));
+    }
+  }
 }
 
 }  // namespace

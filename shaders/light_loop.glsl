@@ -1,0 +1,13 @@
+// What loops over lights, after the G-buffer is read.
+#define LOOPS_OVER_LIGHTS (OUTPUT != OUTPUT_COUNT)
+#include "light_output.glsl"
+
+// Lights that a method has read: tested, and shaded if any of them reaches the surface.
+void test_and_add(Receiver r, Light some, inout Sums sums) {
+  sums.counts.x += 1.0;
+#if LIGHTS_AT_ONCE == 4
+  if (any(lessThan(squares(some.position - in_all_lanes(r.position)), some.range * some.range))) add_light(r, some, sums);
+#else
+  if (reaches(some, r.position)) add_light(r, some, sums);
+#endif
+}
