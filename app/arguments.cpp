@@ -83,6 +83,10 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     add_number(app, "--frames", a.frames, "time so many frames; 0: none (default: up to 20)", 0, kAnyInt);
     app.add_flag("--no-truth", a.no_truth,
                  "without the reference: no errors, and the GPU counts the pairs that are lit");
+    app.add_option("--against", a.against,
+                   "PATH=VALUE: time the same with this option in turn and give the ratio; repeatable");
+    app.add_flag("--micro", a.micro,
+                 "what one (pixel, light) pair costs, by shading model, falloff and method (default scene: hall)");
   }
   if (command == "advise") {
     add_settings(app, a);

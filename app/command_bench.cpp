@@ -6,9 +6,11 @@
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
+#include "app/micro_bench.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/study/row_json.h"
+#include "renderer/study/rows/paired_ratio.h"
 
 namespace gbl {
 namespace {
@@ -35,9 +37,114 @@ BenchWishes wishes_of(const Arguments& a) {
   return wishes;
 }
 
+// Wall time until the GPU has finished, of a frame from its settings to `lit`.
+double wall_ms(Lab& lab, const Settings& s, Targets& targets) {
+  glFinish();
+  const double begin = now_s();
+  lab.renderer().render(s, *lab.gpu_scene(), targets);
+  glFinish();
+  return (now_s() - begin) * 1e3;
+}
+
+struct PairedTimes {
+  std::vector<double> a, b;
+};
+PairedTimes time_in_turn(Lab& lab, const Settings& a, const Settings& b, int rounds) {
+  Targets of_a, of_b;
+  PairedTimes times;
+  for (int round = -1; round < rounds; ++round) {
+    const double ms_a = wall_ms(lab, a, of_a), ms_b = wall_ms(lab, b, of_b);
+    if (round >= 0) times.a.push_back(ms_a), times.b.push_back(ms_b);  // the first compiles programs
+  }
+  return times;
+}
+
+struct Compared {
+  const char* name;
+  TimeSpread ms;
+  std::optional<double> off;  // share of the pixels, 0..1; none without the reference
+  int bytes;                  // per pixel, of G-buffer and sums
+};
+Compared compared(const char* name, const std::vector<double>& ms, Lab& lab, const Settings& s, const Arguments& a) {
+  Bench bench(lab.renderer(), lab.cost(), lab.machine(), 1);
+  bench.start(s, lab.gpu_scene(), {.errors = !a.no_truth, .times = false});
+  bench.step(true);
+  const FrameReport& r = bench.report();
+  return {name, spread_of(ms), bench.errors().over_half_255_display,
+          r.gbuffer_bytes_per_pixel + r.accumulation_bytes_per_pixel};
+}
+
+// B is A with the options of --against.
+ExitCode run_against(const Arguments& a) {
+  const auto [first, scene] = setup_of(a);
+  Settings second = first;
+  for (const std::string& assignment : a.against) apply_assignment(second, assignment);
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  if (scene) lab.show(first.scene, scene);
+  for (const Settings& s : {first, second}) require_valid(s, lab.limits());
+  if (second.scene != first.scene)
+    throw Error(ExitCode::bad_input, "--against", "both draw the same scene", "choose it with --scene");
+  lab.open(first.scene);
+  constexpr int kRounds = 21;
+  const PairedTimes times = time_in_turn(lab, first, second, std::max(1, a.frames.value_or(kRounds)));
+  const PairedRatio ratio = paired_ratio(times.a, times.b);
+  const Compared both[] = {compared("A", times.a, lab, first, a), compared("B", times.b, lab, second, a)};
+  if (a.json) {
+    Json json{
+        {"ratio", ratio.median}, {"ratio_low", ratio.low}, {"ratio_high", ratio.high}, {"rounds", times.a.size()}};
+    for (const Compared& c : both)
+      json[c.name] = {{"wall_ms_median", c.ms.median},
+                      {"over_half_255_display", c.off ? Json(*c.off) : Json()},
+                      {"bytes_per_pixel", c.bytes}};
+    fmt::print("{}\n", json.dump(2));
+    return ExitCode::done;
+  }
+  for (const Compared& c : both)
+    fmt::print("{}  {:8.2f} ms  {:3} bytes per pixel  {}\n", c.name, c.ms.median, c.bytes,
+               c.off ? fmt::format("{:.4g} % of the pixels off by more than half a code of 255", 100 * *c.off)
+                     : "errors not measured");
+  fmt::print("B takes {:.3f} of A's time ({:.3f} to {:.3f} with 95 % confidence; {} rounds in turn)\n", ratio.median,
+             ratio.low, ratio.high, times.a.size());
+  return ExitCode::done;
+}
+
 }  // namespace
 
+// Unless another scene is asked for: all of the picture is wall, and every light reaches all of it.
+Arguments with_pairs(Arguments a) {
+  if (!a.scene) a.scene = "builtin:hall", a.set.insert(a.set.begin(), "lights.range-scale=100");
+  return a;
+}
+
+ExitCode run_micro(const Arguments& a) {
+  const auto [s, scene] = setup_of(with_pairs(a));
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  if (scene) lab.show(s.scene, scene);
+  lab.open(s.scene);
+  const std::vector<MicroRow> rows = run_micro_bench(lab.renderer(), *lab.gpu_scene(), s, lab.limits());
+  if (a.json) {
+    Json json = Json::array();
+    for (const MicroRow& r : rows)
+      json.push_back({{"group", r.group},
+                      {"what", r.what},
+                      {"ns_per_pair", r.ns_per_pair},
+                      {"arithmetic_ns_per_pair", r.arithmetic_ns ? Json(*r.arithmetic_ns) : Json()}});
+    fmt::print("{}\n", json.dump(2));
+    return ExitCode::done;
+  }
+  fmt::print("{}\n{:<62}{:>8}  {:>10}\n", lab.device().renderer, "ns per pair, lighting of whole frames", "frame",
+             "arithmetic");
+  for (const MicroRow& r : rows)
+    fmt::print("{:<62}{:>8.2f}  {:>10}\n", r.group + " = " + r.what, r.ns_per_pair,
+               r.arithmetic_ns ? fmt::format("{:.2f}", *r.arithmetic_ns) : "-");
+  return ExitCode::done;
+}
+
 ExitCode run_bench(const Arguments& a) {
+  if (a.micro) return run_micro(a);
+  if (!a.against.empty()) return run_against(a);
   const auto [s, scene] = setup_of(a);
   const HeadlessContext context;
   Lab lab(without_of(a));

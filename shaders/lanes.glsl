@@ -1,8 +1,8 @@
 // Numbers of LIGHTS_AT_ONCE lights side by side, 1 or 4. A light's arithmetic is one long chain in which each step waits
 // for the one before it; with four lights there are other steps to do meanwhile. Four vectors are a matrix, a row each.
 // Sums are written out in one order, so that a light is worth the same bits alone and beside others.
-// Only what loops over lights takes four, and only where they are all alike: kinds and shadows are of one light.
-#if LOOPS_OVER_LIGHTS && !LIGHT_KINDS && !SHADOWS
+// Only what loops over more lights than a few takes four, and only where they are all alike: kinds and shadows are of one light.
+#if LOOPS_OVER_LIGHTS && MANY_LIGHTS && !LIGHT_KINDS && !SHADOWS
 #define LIGHTS_AT_ONCE 4
 #else
 #define LIGHTS_AT_ONCE 1
@@ -20,7 +20,7 @@ vec3 weighted_sum(lane3 a, lane3 weight) { return vec3(dot(a[0], weight[0]), dot
 lane3 times(lane a, vec3 b) { return outerProduct(a, b); }
 lane if_less(lane a, lane b, lane x) { return mix(lane(0.0), x, lessThan(a, b)); }  // else 0
 #else
-#define lane float
+#define lane real
 #define lane3 vec3
 lane3 in_all_lanes(vec3 v) { return v; }
 lane dots(lane3 a, vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -29,5 +29,5 @@ lane3 scaled(lane3 a, lane by) { return a * by; }
 vec3 weighted_sum(lane3 a, lane weight) { return a * weight; }
 vec3 weighted_sum(lane3 a, lane3 weight) { return a * weight; }
 lane3 times(lane a, vec3 b) { return a * b; }
-lane if_less(lane a, lane b, lane x) { return a < b ? x : 0.0; }
+lane if_less(lane a, lane b, lane x) { return a < b ? x : real(0.0); }
 #endif

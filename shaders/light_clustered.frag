@@ -22,16 +22,22 @@ Light read_listed(int texel, int i) {
 #endif
 }
 
-void add_list(Receiver r, ivec2 list, inout Sums sums) {
-  for (int i = 0; i < list.y; i += LIGHTS_AT_ONCE) test_and_add(r, read_listed(list.x, i), sums);
-}
+int filled_up(int count) { return (count + LIGHTS_AT_ONCE - 1) / LIGHTS_AT_ONCE * LIGHTS_AT_ONCE; }
 
 void main() {
   Surface s = read_surface(ivec2(gl_FragCoord.xy));
-  if (!s.present) discard;
+  if (!s.present) {
+    write_background();
+    return;
+  }
   Receiver r = receiver_of(s);
   Sums sums = no_sums();
-  add_list(r, ivec2(texelFetch(light_lists, cluster_of(s.position)).xy), sums);
-  add_list(r, everywhere, sums);
+  ivec2 own = ivec2(texelFetch(light_lists, cluster_of(s.position)).xy);
+  own.y = filled_up(own.y);
+  // One loop for both lists: llvmpipe runs a loop's body once even if no pixel has a turn.
+  for (int i = 0; i < own.y + everywhere.y; i += LIGHTS_AT_ONCE) {
+    bool is_own = i < own.y;
+    test_and_add(r, read_listed(is_own ? own.x : everywhere.x, is_own ? i : i - own.y), sums);
+  }
   write_sums(s, r, sums);
 }

@@ -3,7 +3,10 @@
 
 void main() {
   Surface s = read_surface(ivec2(gl_FragCoord.xy));
-  if (!s.present) discard;
+  if (!s.present) {
+    write_background();
+    return;
+  }
   Receiver r = receiver_of(s);
   Sums sums = no_sums();
   for (int i = 0; i < lights.x; i += LIGHTS_AT_ONCE) {

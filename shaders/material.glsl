@@ -76,17 +76,39 @@ vec4 read_map(sampler2D map, int which) { return texture(map, uv_of(which)); }
 void place_surface() {}
 #endif
 
+// Texels of a material that has no such map: nobody reads one that is not there.
+#if HAS_BASE_COLOUR_MAP
+vec4 base_colour_texel() { return read_map(base_colour_map, BASE_COLOUR_MAP); }
+#else
+vec4 base_colour_texel() { return vec4(1.0); }
+#endif
+#if HAS_ROUGHNESS_MAP
+vec4 roughness_texel() { return read_map(roughness_map, ROUGHNESS_MAP); }
+#else
+vec4 roughness_texel() { return vec4(1.0); }
+#endif
+#if HAS_EMISSIVE_MAP
+vec3 emissive_texel() { return read_map(emissive_map, EMISSIVE_MAP).rgb; }
+#else
+vec3 emissive_texel() { return vec3(1.0); }
+#endif
+#if HAS_OCCLUSION_MAP
+float occlusion() { return 1.0 + factors.w * (read_map(occlusion_map, OCCLUSION_MAP).r - 1.0); }
+#else
+float occlusion() { return 1.0; }
+#endif
+
 #if REFRACTS
 uniform vec2 transmission;  // share that goes through, index of the air over that of the material
 #endif
 
 #if REFRACTS
 // No metal is clear.
-float through_share() { return transmission.x * (1.0 - read_map(roughness_map, ROUGHNESS_MAP).b * factors.y); }
+float through_share() { return transmission.x * (1.0 - roughness_texel().b * factors.y); }
 #endif
 
 vec4 tint() {
-  vec4 base = read_map(base_colour_map, BASE_COLOUR_MAP) * base_colour * colour;
+  vec4 base = base_colour_texel() * base_colour * colour;
 #if ALBEDO_WHITE
   base.rgb = vec3(1.0);
 #endif
@@ -168,15 +190,15 @@ Surface material_surface(vec4 base) {
   s.present = true;
   s.position = sunk_position;
   s.normal = shading_normal();
-  vec4 rough_metal = read_map(roughness_map, ROUGHNESS_MAP);
+  vec4 rough_metal = roughness_texel();
   float metal = rough_metal.b * factors.y;
   s.roughness = rough_metal.g * factors.x;
   s.exponent = exponent_of(s.roughness);
   s.metal = metal;
   s.albedo = base.rgb * (1.0 - metal);
   s.f0 = mix(material_dielectric(), base.rgb, metal);
-  s.emissive = read_map(emissive_map, EMISSIVE_MAP).rgb * emissive;
-  s.occlusion = 1.0 + factors.w * (read_map(occlusion_map, OCCLUSION_MAP).r - 1.0);
+  s.emissive = emissive_texel() * emissive;
+  s.occlusion = occlusion();
 #if UNLIT && EMISSION_KEPT
   // Shown as it is, whatever the exposure: nothing reflects, the colour itself shines. A layout without emission lights it instead.
   s.emissive = base.rgb / shading.w;

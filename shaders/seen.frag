@@ -14,9 +14,9 @@ void main() {
 #if ALPHA_MASK
   if (material_base().a < alpha_cutoff) discard;
 #endif
-  vec4 rough_metal = read_map(roughness_map, ROUGHNESS_MAP);
+  vec4 rough_metal = roughness_texel();
   seen = vec4(float(object_id), float(triangle), rough_metal.g, rough_metal.b);
-  base = read_map(base_colour_map, BASE_COLOUR_MAP);
+  base = base_colour_texel();
   mapped = vec4(read_map(normal_map, NORMAL_MAP_).xyz, read_map(occlusion_map, OCCLUSION_MAP).r);
   emission = read_map(emissive_map, EMISSIVE_MAP);
   shine = specular_texel();

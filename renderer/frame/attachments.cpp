@@ -60,7 +60,12 @@ Format depth_format(const Settings& s) {
   return plain == Format::d24 ? Format::d24s8 : plain == Format::d32f ? Format::d32fs8 : plain;
 }
 
-bool split(const Settings& s) { return s.accumulation.targets == AccumulationTargets::split; }
+// Light that is summed before the albedo is known needs both.
+bool split(const Settings& s) {
+  return s.accumulation.targets == AccumulationTargets::split ||
+         (s.accumulation.targets == AccumulationTargets::folded &&
+          shading_of(s.lights.method) == Shading::light_prepass);
+}
 
 void append_material(const Settings& s, std::vector<Attachment>& all) {
   if (shading_of(s.lights.method) == Shading::light_prepass) {
@@ -82,7 +87,7 @@ void append_light(const Settings& s, std::vector<Attachment>& all) {
   if (split(s)) {
     all.push_back({"light.diffuse", Pass::lighting, Stores::diffuse_light, sum, "rgb: diffuse light without albedo"});
     all.push_back({"light.specular", Pass::lighting, Stores::specular_light, sum, "rgb: specular light"});
-  } else if (!sum_begins_in_geometry(s)) {
+  } else if (!sum_begins_in_geometry(s) && !folds_light(s)) {
     all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
   }
   if (lighting_tests_depth(s) || needs_stencil(s))
@@ -93,7 +98,11 @@ void append_light(const Settings& s, std::vector<Attachment>& all) {
 }  // namespace
 
 bool sum_begins_in_geometry(const Settings& s) {
-  return layout_of(s).begins_sum && !split(s) && shading_of(s.lights.method) == Shading::deferred;
+  return layout_of(s).begins_sum && !split(s) && !folds_light(s) && shading_of(s.lights.method) == Shading::deferred;
+}
+
+bool folds_light(const Settings& s) {
+  return s.accumulation.targets == AccumulationTargets::folded && facts(s.lights.method).reads_pixels_once;
 }
 
 bool normal_in_material(const Settings& s) {

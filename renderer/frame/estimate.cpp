@@ -13,23 +13,23 @@ namespace gbl {
 namespace {
 
 // What the parts of the methods cost, in units of one turn of the full-screen loop: a light's record read, its distance
-// taken, and its shading if it is in range. Measured with llvmpipe on two cores in hall and terrain, 16 to 16 384 lights,
-// from local ones to all that reach all: the turn took 4.5 to 8 ns, as busy as the machine was.
-constexpr double kPixel = 2;           // a full-screen pass reads the G-buffer and writes its sums
-constexpr double kSecondTest = 0.1;    // of a distance that shade() tests again
-constexpr double kFindCluster = 1.8;   // a pixel looks up where its list is
-constexpr double kListed = 1.3;        // a turn of a loop whose lights come from a cluster's list
-constexpr double kMarked = 1.1;        // … and from a tile's bits
-constexpr double kFragment = 3.2;      // a pair with a fragment of its own: it reads the G-buffer, shades and blends
-constexpr double kMeshFragment = 4.8;  // … of a mesh: its small triangles leave blocks of pixels half used
-constexpr double kMark = 0.4;          // a fragment that is only tested against depth
+// taken, and its shading if it is in range, four lights at once. Measured with llvmpipe on two cores in the hall, 16 to
+// 16 384 lights, from local ones to all that reach all: the turn took 1.7 to 2 ns.
+constexpr double kPixel = 6;         // a full-screen pass reads the G-buffer and writes its sums
+constexpr double kSecondTest = 0.1;  // of a distance that shade() tests again
+constexpr double kFindCluster = 4;   // a pixel looks up where its list is
+constexpr double kListed = 1.3;      // a turn of a loop whose lights come from a cluster's list
+constexpr double kMarked = 1.1;      // … and from a tile's bits
+constexpr double kFragment = 7.2;    // a pair with a fragment of its own: it reads the G-buffer, shades and blends
+constexpr double kMeshFragment = 9;  // … of a mesh: its small triangles leave blocks of pixels half used
+constexpr double kMark = 1;          // a fragment that is only tested against depth
 constexpr double kDraw = 2000;
-constexpr double kTriangle = 13;  // of a mesh
-constexpr double kQuad = 300;
+constexpr double kTriangle = 40;  // of a mesh
+constexpr double kQuad = 400;
 constexpr double kDisc = 3600;
-constexpr double kTileBatch = 6000;  // one tile tests 256 lights, with its barriers
-constexpr double kListedLight = 60;  // a light is put into lists, on the CPU
-constexpr double kListEntry = 1.3;
+constexpr double kTileBatch = 7600;   // one tile tests 256 lights, with its barriers
+constexpr double kListedLight = 100;  // a light is put into lists, on the CPU
+constexpr double kListEntry = 3.5;
 
 // Of more lights than this only some are looked at: 16 384 took 20 to 40 ms, half a frame.
 constexpr size_t kMostLookedAt = 512;
@@ -141,7 +141,7 @@ LightWork volumes_instanced(const LightsInView& v) {
 }
 // Both faces of each volume are marked, and what is inside is shaded.
 LightWork volumes_stencil(const LightsInView& v) {
-  const double marks = 2 * kMark * v.under_volumes, setup = v.lights * (2 * kDraw + 3 * kTriangle * v.volume_triangles);
+  const double marks = 2 * kMark * v.under_volumes, setup = v.lights * (2 * kDraw + 5 * kTriangle * v.volume_triangles);
   return {v.reached, v.reached, kFragment * v.reached + marks + setup};
 }
 LightWork quads(const LightsInView& v) { return blended(v.under_quads, kFragment, v.lights * kQuad); }
@@ -196,8 +196,8 @@ double estimate_work(const Settings& s, const std::vector<Light>& lights) {
   return work_of(choose_method(s, lights, {}).method, lights_in_view(s, lights)).units;
 }
 
-// First guesses, kept only until the first frame: 6 ns is llvmpipe on two cores, 0.05 ns a small GPU.
-FrameCost::FrameCost(bool software) : ns_per_unit_(software ? 6 : 0.05), ns_per_pixel_(software ? 60 : 1) {}
+// First guesses, kept only until the first frame: 2 ns is llvmpipe on two cores, 0.02 ns a small GPU.
+FrameCost::FrameCost(bool software) : ns_per_unit_(software ? 2 : 0.02), ns_per_pixel_(software ? 60 : 1) {}
 
 void FrameCost::learn(double work, double lighting_ms) {
   if (work < 1e5 || !(lighting_ms > 0)) return;  // too little to learn from

@@ -14,6 +14,9 @@
 namespace gbl {
 namespace {
 
+// Of so many lights per pixel a loop is as quick one by one as four at once, of which some are dark. (hall, llvmpipe.)
+constexpr double kFewLights = 3;
+
 constexpr size_t kKept = 4;  // A and B of a comparison, the picture and what is measured beside it
 
 bool plain_point(const Light& l) { return l.kind == LightKind::point && l.coefficients == glm::dvec3(0); }
@@ -30,6 +33,7 @@ void take_attachments(ResolvedFrame& f) {
   f.accumulation_bytes_per_pixel = bytes_per_pixel(f.attachments, Pass::lighting);
   f.shading = shading_of(s.lights.method);
   f.split = find(f.attachments, Stores::diffuse_light) != nullptr;
+  f.folds_light = folds_light(s);
   f.light_sum_is_begun = sum_begins_in_geometry(s);
   f.normal_in_material = normal_in_material(s);
   f.stencil = needs_stencil(s);
@@ -166,7 +170,10 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   MethodChoice choice = choose_method(f.settings, f.lights, features);
   f.settings.lights.method = choice.method;
   f.method_reason = std::move(choice.reason);
-  f.light_work = estimate_work(f.settings, f.lights);
+  const LightsInView view = lights_in_view(f.settings, f.lights);
+  const LightWork work = work_of(f.settings.lights.method, view);
+  f.light_work = work.units;
+  f.many_lights = work.tested > kFewLights * view.pixels;
   take_attachments(f);
   take_camera(f);
   take_shadows(f, scene, all, s.camera);

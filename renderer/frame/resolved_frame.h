@@ -20,12 +20,14 @@ struct ResolvedFrame {
   std::vector<Light> lights;
   int light_total = 0;       // of which lights.only chose one
   bool light_kinds = false;  // is any light other than a plain point light?
+  bool many_lights = false;  // a pixel reads more than a few of them
   double light_work = 0;     // of the lighting pass, in turns of the full-screen loop (renderer/frame/estimate.h)
 
   std::vector<Attachment> attachments;
   int gbuffer_bytes_per_pixel = 0, accumulation_bytes_per_pixel = 0;
   Shading shading = Shading::deferred;
   bool split = false;               // diffuse and specular light are kept apart
+  bool folds_light = false;         // the light pass finishes the picture: there are no sums
   bool light_sum_is_begun = false;  // the sum of light holds ambient and emission before lighting begins
   bool normal_in_material = false;  // both share one attachment
   bool stencil = false;             // a pass marks pixels

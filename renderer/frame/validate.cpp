@@ -46,7 +46,7 @@ void check_gbuffer(const Settings& s, const DeviceLimits& limits, std::vector<Pr
                    fmt::format("the {} layout stores no alpha that marks a surface; choose depth, or the layout nclgl, "
                                "objectid or viewspace with a deferred method",
                                layout_of(s).axis.id)});
-  if (shading == Shading::light_prepass && s.accumulation.targets != AccumulationTargets::split)
+  if (shading == Shading::light_prepass && s.accumulation.targets == AccumulationTargets::one)
     out.push_back({ProblemId::prepass_needs_split, "accumulation.targets",
                    "deferred lighting does not know the albedo yet when it sums light; choose split"});
   int targets = 0;

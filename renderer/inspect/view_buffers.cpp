@@ -121,6 +121,9 @@ std::string cells_missing(const Settings& s) {
 std::string split_light_missing(const Settings& s) {
   if (shading_of(s.lights.method) == Shading::forward) return surface_missing(s);
   if (s.accumulation.targets == AccumulationTargets::split) return {};
+  if (folds_light(s))
+    return "the light pass finishes the picture and keeps no sums; accumulation.targets=split keeps diffuse and "
+           "specular";
   return "all light goes into one target; accumulation.targets=split keeps diffuse and specular apart";
 }
 

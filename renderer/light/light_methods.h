@@ -20,6 +20,7 @@ struct LightMethodRow {
   bool draws_meshes = false;        // of lights.volume.level and .fit
   bool compares_depth = false;      // whatever lights.volume.depth says
   bool marks_stencil = false;
+  bool reads_pixels_once = false;  // all of a pixel's light comes from one run of its shader, and none is blended
 };
 const LightMethodRow& facts(LightMethod);
 

@@ -15,7 +15,7 @@ enum class TessellationMode { off, uniform, by_distance };
 enum class AlbedoSource { textured, white };
 enum class Colour { srgb, as_tutorial };
 enum class AccumulationFormat { rgba8, r11g11b10f, rgba16f, rgba32f };
-enum class AccumulationTargets { one, split };
+enum class AccumulationTargets { one, split, folded };
 enum class BackgroundSkip { depth, stencil, alpha, none };
 enum class Tangents { vertex, derivatives, matrix_columns };
 enum class Antialias { none, edge_blur, msaa_resolved };

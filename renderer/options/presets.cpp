@@ -29,7 +29,7 @@ Settings start() {
   return s;
 }
 
-// The smallest layout whose error a class cannot see: nothing is blended, so half floats are rounded once.
+// The smallest layout whose error a class cannot see: light is summed within one run of a shader and never stored.
 Settings compact() {
   Settings s = start();
   s.lights.seed = 1, s.exposure = 1;  // as what docs/findings.md says of these two was measured
@@ -37,6 +37,7 @@ Settings compact() {
   s.depth.format = DepthFormat::d32f_reversed;  // the same bytes, and positions a thousand times closer far away
   s.normal.encoding = NormalEncoding::oct14;
   s.lights.method = LightMethod::auto_;
+  s.accumulation.targets = AccumulationTargets::folded;
   s.lights.cull = LightCull::front;
   s.lights.volume.clip = VolumeClip::none;
   s.view.volumes = VolumeOverlay::off;

@@ -29,7 +29,9 @@ gl::Buffer upload_vertices(const std::vector<Vertex>& vertices, const std::strin
 GpuScene::GpuMesh upload(const Mesh& mesh) {
   GpuScene::GpuMesh m;
   m.vertices = upload_vertices(mesh.vertices, mesh.name);
-  m.indices = gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(), mesh.indices.size() * 4, mesh.name);
+  MeshInParts ordered = in_parts(mesh);
+  m.parts = std::move(ordered.parts);
+  m.indices = gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, ordered.indices.data(), ordered.indices.size() * 4, mesh.name);
   m.vertex_array = vertex_array_of(m.vertices, &m.indices);
   m.index_count = static_cast<GLsizei>(mesh.indices.size());
   return m;
@@ -105,7 +107,7 @@ static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) 
 }
 
 GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
-  for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m));
+  for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m)), mesh_bounds_.push_back(bounds_of(m));
   batches_ = batched(*scene_);
   for (const Batch& b : batches_) batch_bounds_.push_back(bounds_of_batch(*scene_, b));
   const uint8_t white[] = {255, 255, 255, 255}, flat[] = {128, 128, 255, 255};

@@ -6,6 +6,7 @@
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/texture.h"
 #include "renderer/options/settings.h"
+#include "renderer/scene/mesh_parts.h"
 #include "renderer/scene/scene.h"
 
 namespace gbl {
@@ -23,8 +24,12 @@ class GpuScene {
     gl::Buffer vertices, indices;
     gl::VertexArray vertex_array;
     GLsizei index_count = 0;
+    std::vector<MeshPart> parts;  // of the indices; none of what has no indices
   };
   const GpuMesh& mesh(int i) const { return meshes_[i]; }
+  const Bounds& mesh_bounds(int i) const {
+    return mesh_bounds_[static_cast<size_t>(i)];
+  }  // in the object's coordinates
   // Some of its triangles without shared corners and without indices, so that gl_VertexID / 3 counts them on every
   // device: kPart of them from `first_triangle`. For once: of a large mesh all would take many times its own memory.
   GpuMesh unshared_part(int i, size_t first_triangle) const;
@@ -51,6 +56,7 @@ class GpuScene {
 
   std::shared_ptr<const Scene> scene_;
   std::vector<GpuMesh> meshes_;
+  std::vector<Bounds> mesh_bounds_;
   std::vector<Batch> batches_;
   std::vector<Bounds> batch_bounds_;
   gl::Texture white_, flat_normal_;

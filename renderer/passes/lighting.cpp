@@ -8,6 +8,7 @@ gl::Defines LightingPass::defines() const {
     for (gl::Define& define : d)
       if (define.name == "BACKGROUND_SKIP") define = {"BACKGROUND_SKIP", static_cast<int>(BackgroundSkip::depth)};
   d.push_back({"OUTPUT", static_cast<int>(output)});
+  if (output == LightOutput::lit) d.push_back({"SKY", frame.settings.background.fill == BackgroundFill::sky});
   return d;
 }
 
@@ -44,6 +45,15 @@ int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer&
 
 void prepare_lighting(Frame& frame) {
   if (method_of(frame).prepare && !frame.lights().empty()) method_of(frame).prepare(frame);
+}
+
+int draw_folded_light(Frame& frame) {
+  prepare_lighting(frame);
+  begin_drawing(frame.framebuffer(Pass::combine), frame.settings.size, {});
+  bind_gbuffer(frame);
+  bind_lights(frame);
+  const LightingPass pass{frame, LightOutput::lit};
+  return frame.lights().empty() ? draw_fullscreen_lights(pass) : method_of(frame).draw(pass);
 }
 
 int draw_light_sums(Frame& frame) {

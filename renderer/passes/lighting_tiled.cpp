@@ -11,6 +11,7 @@ std::vector<const gl::Texture*> images_of(const LightingPass& pass) {
   switch (pass.output) {
     case LightOutput::split: return {t.texture(Stores::diffuse_light), t.texture(Stores::specular_light)};
     case LightOutput::sum: return {t.texture(Stores::light)};
+    case LightOutput::lit: break;  // it does not read pixels once: light_methods.inc
     case LightOutput::count: return {&pass.frame.targets().canvases.counts().texture};
   }
   return {};

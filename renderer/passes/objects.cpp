@@ -7,6 +7,7 @@
 #include "renderer/base/random.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/picture/srgb.h"
+#include "renderer/scene/view_culling.h"
 
 namespace gbl {
 namespace {
@@ -31,11 +32,33 @@ double draw_rank(const Frame& frame, int instance) {
   return 0;
 }
 
+const glm::dmat4& world_from_object_of(const Frame& frame, int instance) {
+  return frame.scene.scene().instances[static_cast<size_t>(instance)].world_from_object;
+}
+glm::dmat4 relative_from_object_of(const Frame& frame, int instance, const glm::dvec3& origin) {
+  glm::dmat4 relative_from_object = world_from_object_of(frame, instance);
+  relative_from_object[3] -= glm::dvec4(origin, 0);
+  return relative_from_object;
+}
+
+// Of a box in the object's coordinates. What follows a height map is not where its mesh is.
+class InView {
+ public:
+  InView(const Frame& frame, int instance)
+      : runs_(frame.resolved.depth_runs),
+        clip_from_object_(frame.resolved.clip_from_relative *
+                          relative_from_object_of(frame, instance, frame.settings.camera.position)) {}
+  bool operator()(const Bounds& box) const { return may_be_seen(box, clip_from_object_, runs_); }
+
+ private:
+  DepthRuns runs_;
+  glm::dmat4 clip_from_object_;
+};
+
 // Made in double relative to the camera, or whatever is near, and rounded once: exact far from the world's origin.
 void append_record(const Frame& frame, int instance, const glm::dvec3& origin, std::vector<glm::vec4>& out) {
-  const glm::dmat4& world_from_object = frame.scene.scene().instances[instance].world_from_object;
-  glm::dmat4 relative_from_object = world_from_object;
-  relative_from_object[3] -= glm::dvec4(origin, 0);
+  const glm::dmat4& world_from_object = world_from_object_of(frame, instance);
+  const glm::dmat4 relative_from_object = relative_from_object_of(frame, instance, origin);
   const glm::mat4 clip(frame.resolved.clip_from_relative * relative_from_object);
   const glm::mat4 rows(glm::transpose(relative_from_object));
   const glm::dmat3 directions(world_from_object);
@@ -68,7 +91,12 @@ static bool sinks(const Settings& s, const Material& m) {
 
 // `deep`: triangles follow the height map already.
 gl::Defines material_defines(const Settings& s, const Material& m, bool deep) {
-  return {{"NORMAL_MAP", s.normal_map == NormalMap::on && m.normal_texture.texture != kNoTexture},
+  const auto has = [](const TextureUse& use) { return use.texture != kNoTexture; };
+  return {{"NORMAL_MAP", s.normal_map == NormalMap::on && has(m.normal_texture)},
+          {"HAS_BASE_COLOUR_MAP", has(m.base_colour_texture)},
+          {"HAS_ROUGHNESS_MAP", has(m.roughness_texture)},
+          {"HAS_EMISSIVE_MAP", has(m.emissive_texture)},
+          {"HAS_OCCLUSION_MAP", has(m.occlusion_texture)},
           {"ALBEDO_WHITE", s.albedo == AlbedoSource::white},
           {"ALPHA_MASK", m.alpha_mode == AlphaMode::mask},
           {"BLENDED", blends(m, s.reflections == Reflections::on)},
@@ -89,8 +117,7 @@ void bind_material(const Frame& frame, const gl::Program& program, const Materia
   gl::bind_texture("emissive_map", scene.colour_texture(m.emissive_texture.texture, colour));
   gl::bind_texture("occlusion_map", scene.data_texture(m.occlusion_texture.texture));
   const glm::vec4 base(colour_factor(glm::vec3(m.base_colour), colour), m.base_colour.a);
-  const glm::vec4 factors(m.roughness, m.metal, m.normal_scale,
-                          m.occlusion_texture.texture == kNoTexture ? 0 : m.occlusion_strength);
+  const glm::vec4 factors(m.roughness, m.metal, m.normal_scale, m.occlusion_strength);
   glUniform4fv(program.find_uniform("base_colour"), 1, glm::value_ptr(base));
   glUniform4fv(program.find_uniform("factors"), 1, glm::value_ptr(factors));
   glUniform3fv(program.find_uniform("emissive"), 1, glm::value_ptr(m.emissive));
@@ -136,6 +163,36 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
   }
 }
 
+// Nearest first, unless draw-order asks for another order.
+void sort_parts(const Frame& frame, int object, std::vector<const MeshPart*>& parts) {
+  const DrawOrder order = frame.settings.draw_order;
+  if (order == DrawOrder::seeded) return;
+  std::vector<std::pair<double, const MeshPart*>> by_distance;
+  for (const MeshPart* p : parts) {
+    const glm::dvec3 centre(world_from_object_of(frame, object) * glm::dvec4(p->box.centre(), 1));
+    const double distance = glm::distance(centre, frame.settings.camera.position);
+    by_distance.emplace_back(order == DrawOrder::near_far ? distance : -distance, p);
+  }
+  std::stable_sort(by_distance.begin(), by_distance.end(), [](auto& a, auto& b) { return a.first < b.first; });
+  std::transform(by_distance.begin(), by_distance.end(), parts.begin(), [](auto& p) { return p.second; });
+}
+
+void draw_parts_in_view(const Frame& frame, const GpuScene::GpuMesh& mesh, int object) {
+  const InView in_view(frame, object);
+  std::vector<const MeshPart*> parts;
+  for (const MeshPart& p : mesh.parts)
+    if (in_view(p.box)) parts.push_back(&p);
+  sort_parts(frame, object, parts);
+  std::vector<GLsizei> counts;
+  std::vector<const void*> offsets;
+  for (const MeshPart* p : parts) {
+    counts.push_back(static_cast<GLsizei>(p->count));
+    offsets.push_back(reinterpret_cast<const void*>(size_t{p->first} * sizeof(uint32_t)));
+  }
+  glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                      static_cast<GLsizei>(counts.size()));
+}
+
 // Of one object, in corners that no two triangles share.
 void draw_captured(const Tessellation::Object& o) {
   glBindVertexArray(o.vertex_array.id());
@@ -149,8 +206,11 @@ static bool drawn_forward(const Frame& frame, const Material& m) {
          !frame.resolved.mistaken(Mistake::transparent_in_gbuffer);
 }
 
+enum class Wanted { in_view, all };
+
 // `but`: an object that is left out, from 1; 0: none.
-static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm::dvec3& origin, int but) {
+static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm::dvec3& origin, int but,
+                                       Wanted wanted) {
   std::vector<glm::vec4>& records = frame.targets().uploads.record_texels;
   records.clear();
   std::vector<ObjectDraw> draws;
@@ -161,11 +221,16 @@ static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm
     if (drawn_forward(frame, material_of(frame, batch)) != transparent) continue;
     std::vector<int> order = batch.instances;
     std::erase(order, but - 1);
+    const bool culled = wanted == Wanted::in_view && !frame.tessellation().of_mesh(frame.scene, batch.mesh);
+    if (culled) std::erase_if(order, [&](int i) { return !InView(frame, i)(frame.scene.mesh_bounds(batch.mesh)); });
+    const auto alone = [&](int i, size_t count) { return culled && count == 1 ? i : -1; };
     if (order.empty()) continue;
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
-    if (!transparent) by_rank.push_back({rank(order.front()), {&batch, next, static_cast<int>(order.size())}});
+    if (!transparent)
+      by_rank.push_back(
+          {rank(order.front()), {&batch, next, static_cast<int>(order.size()), alone(order.front(), order.size())}});
     for (const int i : order) {
-      if (transparent) by_rank.push_back({rank(i), {&batch, next, 1}});
+      if (transparent) by_rank.push_back({rank(i), {&batch, next, 1, alone(i, 1)}});
       append_record(frame, i, origin, records);
       ++next;
     }
@@ -177,10 +242,10 @@ static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm
 }
 
 std::vector<ObjectDraw> prepare_objects(Frame& frame, bool transparent) {
-  return prepare(frame, transparent, frame.settings.camera.position, frame.targets().cut.object);
+  return prepare(frame, transparent, frame.settings.camera.position, frame.targets().cut.object, Wanted::in_view);
 }
 std::vector<ObjectDraw> prepare_casters(Frame& frame, const glm::dvec3& origin) {
-  std::vector<ObjectDraw> draws = prepare(frame, false, origin, 0);
+  std::vector<ObjectDraw> draws = prepare(frame, false, origin, 0, Wanted::all);
   // Clear ones hide nothing, even where they are stored.
   std::erase_if(draws, [&](const ObjectDraw& d) {
     return material_of(frame, *d.batch).alpha_mode == AlphaMode::blend &&
@@ -250,7 +315,10 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     }
     const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
     glBindVertexArray(mesh.vertex_array.id());
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
+    if (draw.object >= 0 && mesh.parts.size() > 1)
+      draw_parts_in_view(frame, mesh, draw.object);
+    else
+      glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
   }
   if (clipped) glDisable(GL_CLIP_DISTANCE0);
   return static_cast<int>(draws.size());

@@ -7,13 +7,15 @@
 
 namespace gbl {
 
-// One draw: instances first … first + count - 1 of the instance texture.
+// One draw: instances first … first + count - 1 of those written.
 struct ObjectDraw {
   const GpuScene::Batch* batch;
   int first, count;
+  int object =
+      -1;  // if it is one alone, from 0: of its mesh only the parts in view are drawn, nearest first. -1: all parts are
 };
 
-// Writes the instance texture and says what to draw. Opaque: batches and their instances as draw-order says.
+// Writes the instances' records and says what to draw: objects that may be in view. Opaque: batches and their instances as draw-order says.
 // Transparent: one draw per instance, farthest first.
 std::vector<ObjectDraw> prepare_objects(Frame&, bool transparent);
 // One of them.

@@ -31,7 +31,9 @@ namespace pass {
 inline bool shadows(const ResolvedFrame& f) { return !f.shadows.maps.empty(); }
 inline bool forward(const ResolvedFrame& f) { return f.shading == Shading::forward; }
 inline bool gbuffer(const ResolvedFrame& f) { return f.shading != Shading::forward; }
-inline bool deferred(const ResolvedFrame& f) { return f.shading == Shading::deferred; }
+inline bool sums_light(const ResolvedFrame& f) { return gbuffer(f) && !f.folds_light; }
+inline bool folds_light(const ResolvedFrame& f) { return f.folds_light; }
+inline bool deferred(const ResolvedFrame& f) { return f.shading == Shading::deferred && !f.folds_light; }
 inline bool light_prepass(const ResolvedFrame& f) { return f.shading == Shading::light_prepass; }
 inline bool reflections(const ResolvedFrame& f) { return !f.mirrors.empty(); }
 inline bool edge_blur(const ResolvedFrame& f) { return f.settings.antialias == Antialias::edge_blur; }
@@ -43,7 +45,8 @@ inline constexpr PassRow kPasses[] = {
   {"shadows",     pass::shadows,       {},                                         {},                                               draw_shadow_maps},
   {"forward",     pass::forward,       {},                                         {Stores::depth, Stores::lit},                     draw_forward_frame},
   {"geometry",    pass::gbuffer,       {},                                         kMaterials | StoresSet{Stores::depth, Stores::light}, draw_geometry},
-  {"lighting",    pass::gbuffer,       kMaterials | StoresSet{Stores::depth},      kLightSums | StoresSet{Stores::light_depth},      draw_light_sums},
+  {"lighting",    pass::sums_light,     kMaterials | StoresSet{Stores::depth},      kLightSums | StoresSet{Stores::light_depth},      draw_light_sums},
+  {"lighting",    pass::folds_light,   kMaterials | StoresSet{Stores::depth},      {Stores::lit},                                    draw_folded_light},
   {"combine",     pass::deferred,      kMaterials | kLightSums | StoresSet{Stores::depth}, {Stores::lit},                            draw_combine},
   {"combine",     pass::light_prepass, kLightSums | StoresSet{Stores::depth},      {Stores::lit},                                    draw_materials_over_light},
   {"reflections", pass::reflections,   {Stores::depth, Stores::lit},               {Stores::lit},                                    draw_reflections},

@@ -64,6 +64,7 @@ void append_common(gl::Defines& out) {
   out.push_back({"OUTPUT_SPLIT", static_cast<int>(LightOutput::split)});
   out.push_back({"OUTPUT_SUM", static_cast<int>(LightOutput::sum)});
   out.push_back({"OUTPUT_COUNT", static_cast<int>(LightOutput::count)});
+  out.push_back({"OUTPUT_LIT", static_cast<int>(LightOutput::lit)});
 }
 
 }  // namespace
@@ -103,6 +104,7 @@ void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
   const Settings& s = f.settings;
   append_axis(out, "ATTENUATION", "ATTENUATION_", s.attenuation);
   out.push_back({"LIGHT_KINDS", f.light_kinds});
+  out.push_back({"MANY_LIGHTS", f.many_lights});
   out.push_back({"RANGE_IS_PROFILE", s.range.kind == RangeKind::source || s.range.kind == RangeKind::windowed});
   out.push_back({"RANGE_WINDOWED", s.range.kind == RangeKind::windowed});
   const bool shadows = !f.shadows.maps.empty();

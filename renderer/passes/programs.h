@@ -11,7 +11,7 @@
 namespace gbl {
 
 // What a lighting pass writes; constants of shaders/light_output.glsl.
-enum class LightOutput { split, sum, count };
+enum class LightOutput { split, sum, count, lit };
 
 // COLOUR = the chosen value, and COLOUR_SRGB, COLOUR_AS_TUTORIAL, … = each row's value.
 void append_choice(gl::Defines&, const char* name, const char* prefix, std::span<const ValueRow>, int chosen);

@@ -117,7 +117,7 @@ TEST_F(Viewers, ASavedShaderIsReadAgainByItself) {
   const Settings s = yard_settings();
   update(s, showing({View::final}));
   const Image before = lab_->image_of(View::final);
-  copy.insert("shaders/shade.glsl", "lane n_dot_l = dots", "  light.colour *= 0.5;");
+  copy.insert("shaders/shade.glsl", "lane arriving = arriving_share", "  light.colour *= 0.5;");
   update(s, showing({View::final}));
   EXPECT_FALSE(lab_->image_of(View::final) == before);
 }

@@ -236,6 +236,7 @@ TEST_F(Methods, TiledStoresWhatTheFullScreenLoopStoresInEveryFormat) {
   Stage stage(yard());
   for_each_row<AccumulationFormat>([&](AccumulationFormat format, auto& f) {
     for_each_row<AccumulationTargets>([&](AccumulationTargets targets, auto& t) {
+      if (targets == AccumulationTargets::folded) return;  // the full-screen loop would store nothing
       Settings s = settings_for(yard(), {64, 36});
       s.accumulation = {format, targets};
       s.lights.method = LightMethod::fullscreen_radius;
@@ -292,6 +293,26 @@ TEST_F(Methods, AutoDrawsTheMethodThatItNames) {
       EXPECT_EQ(stage.draw(s).method_reason, "") << "asked for by name";
     }
   EXPECT_GE(chosen.size(), 3u);
+}
+
+// Light that the light pass itself turns into the picture is what combine makes of float sums, sky and all.
+TEST_F(Methods, FoldedLightIsThatOfFloatSums) {
+  for (const GpuScene* scene : {&yard(), &terrain()})
+    for (const Layout layout : {Layout::compact, Layout::float32, Layout::viewspace, Layout::stereo})
+      for (const LightMethod method : {LightMethod::fullscreen, LightMethod::fullscreen_radius, LightMethod::clustered})
+        for (const int lights : {0, 3, 40}) {
+          Stage& stage = shared_stage(*scene);
+          Settings s = settings_for(*scene, {64, 36});
+          s.layout = layout, s.background.fill = BackgroundFill::sky;
+          s.lights.method = method, s.lights.count = lights;
+          s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::split};
+          const Picture summed = stage.lit(s);
+          s.accumulation.targets = AccumulationTargets::folded;
+          const FrameReport report = stage.draw(s);
+          EXPECT_EQ(report.accumulation_bytes_per_pixel, 0);
+          EXPECT_TRUE(like(stage.lit(s), summed, {.max_abs = 2e-6, .why = "the same sum, added up in another order"}))
+              << gbl::row(layout).id << " " << gbl::row(method).id << " " << lights;
+        }
 }
 
 // What a pair contributes depends on no method, so neither does it on the light's number or neighbours.

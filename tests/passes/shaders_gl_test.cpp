@@ -55,7 +55,7 @@ TEST_F(Shaders, AChangedShaderIsSeenAfterReloadAndNotBefore) {
   Stage stage(yard());
   const Settings s = settings_for(yard(), {64, 36});
   const Picture before = stage.lit(s);
-  copy.insert("shaders/shade.glsl", "lane n_dot_l = dots", "  light.colour *= 0.5;");
+  copy.insert("shaders/shade.glsl", "lane arriving = arriving_share", "  light.colour *= 0.5;");
   EXPECT_TRUE(same_bits(stage.lit(s), before));
   EXPECT_EQ(reload_error(stage.renderer), "");
   EXPECT_TRUE(unlike(stage.lit(s), before, {.max_abs = 0.01}));

@@ -41,12 +41,12 @@ const Mutant kMutants[] = {
      "vertex * ((range + slack) * scale * real(0.8))"},
     {"AnUnfoldedOctahedron", "normal-angle", "shaders/normal_octahedral.glsl",
      "real fy = (real(1.0) - abs(x)) * sign_not_zero(y);", "real fy = real(1.0) - abs(x);"},
-    {"ACappedExponent", "roughness", "shaders/shade.glsl", "exp2(exponent * log2(max(cosine, 1e-37)))",
-     "exp2(min(exponent, 250.0) * log2(max(cosine, 1e-37)))"},
+    {"ACappedExponent", "roughness", "shaders/pair.glsl", "exp2(exponent * log2(max(cosine, real(1e-37))))",
+     "exp2(min(exponent, real(250.0)) * log2(max(cosine, real(1e-37))))"},
     {"LightThatIsRoundedBeforeItIsSummed", "light-count", "shaders/light_output.glsl",
      "sums.light.diffuse += one.diffuse;", "sums.light.diffuse += floor(one.diffuse * 255.0 + 0.5) / 255.0;"},
-    {"LightsThatDoNotEnd", "range-threshold", "shaders/attenuation.glsl", "if_less(d, light.range, share)",
-     "if_less(d, 4.0 * light.range, share)"},
+    {"LightsThatDoNotEnd", "range-threshold", "shaders/shade.glsl", "if_less(way.d, light.range, share)",
+     "if_less(way.d, 4.0 * light.range, share)"},
 };
 
 std::ostream& operator<<(std::ostream& out, const Mutant& m) { return out << m.name; }
