@@ -83,11 +83,13 @@ ExitCode run_against(const Arguments& a) {
   Lab lab(without_of(a));
   if (scene) lab.show(first.scene, scene);
   for (const Settings& s : {first, second}) require_valid(s, lab.limits());
+  if (a.frames == 0)
+    throw Error(ExitCode::bad_input, "--frames", "0 frames give no ratio", "give 1 or more, or leave it out");
   if (second.scene != first.scene)
     throw Error(ExitCode::bad_input, "--against", "both draw the same scene", "choose it with --scene");
   lab.open(first.scene);
   constexpr int kRounds = 21;
-  const PairedTimes times = time_in_turn(lab, first, second, std::max(1, a.frames.value_or(kRounds)));
+  const PairedTimes times = time_in_turn(lab, first, second, a.frames.value_or(kRounds));
   const PairedRatio ratio = paired_ratio(times.a, times.b);
   const Compared both[] = {compared("A", times.a, lab, first, a), compared("B", times.b, lab, second, a)};
   if (a.json) {
@@ -104,16 +106,20 @@ ExitCode run_against(const Arguments& a) {
     fmt::print("{}  {:8.2f} ms  {:3} bytes per pixel  {}\n", c.name, c.ms.median, c.bytes,
                c.off ? fmt::format("{:.4g} % of the pixels off by more than half a code of 255", 100 * *c.off)
                      : "errors not measured");
-  fmt::print("B takes {:.3f} of A's time ({:.3f} to {:.3f} with 95 % confidence; {} rounds in turn)\n", ratio.median,
-             ratio.low, ratio.high, times.a.size());
+  fmt::print("B takes {:.3f} of A's time ({:.3f} to {:.3f}{}; {} rounds in turn)\n", ratio.median, ratio.low,
+             ratio.high, times.a.size() < kLeastRounds ? "" : " with 95 % confidence", times.a.size());
   return ExitCode::done;
 }
 
 }  // namespace
 
-// Unless another scene is asked for: all of the picture is wall, and every light reaches all of it.
+// Every light reaches all of the picture; unless another scene is asked for, all of it is wall.
 Arguments with_pairs(Arguments a) {
-  if (!a.scene) a.scene = "builtin:hall", a.set.insert(a.set.begin(), "lights.range-scale=100");
+  if (!a.against.empty() || a.frames || a.lights)
+    throw Error(ExitCode::bad_input, "--micro", "it chooses its own frames, lights and set-ups",
+                "leave out --against, --frames and --lights");
+  if (!a.scene) a.scene = "builtin:hall";
+  a.set.insert(a.set.begin(), "lights.range-scale=1000");
   return a;
 }
 

@@ -27,6 +27,7 @@ INLINE Eight max(Eight a, Eight b) { return a.v > b.v ? a.v : b.v; }
 INLINE Eight min(Eight a, Eight b) { return a.v < b.v ? a.v : b.v; }
 INLINE Eight clamp(Eight x, Eight low, Eight high) { return min(max(x, low), high); }
 INLINE Eight if_less(Eight a, Eight b, Eight x) { return a.v < b.v ? x.v : Vector{}; }
+INLINE Eight step(Eight edge, Eight x) { return edge.v <= x.v ? Eight(1.0).v : Vector{}; }
 INLINE Eight sqrt(Eight a) {
   Eight r;
   for (int k = 0; k < kLanes; ++k) r.v[k] = __builtin_sqrtf(a.v[k]);

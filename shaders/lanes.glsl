@@ -2,6 +2,9 @@
 // for the one before it; with four lights there are other steps to do meanwhile. Four vectors are a matrix, a row each.
 // Sums are written out in one order, so that a light is worth the same bits alone and beside others.
 // Only what loops over more lights than a few takes four, and only where they are all alike: kinds and shadows are of one light.
+#ifndef LOOPS_OVER_LIGHTS
+#define LOOPS_OVER_LIGHTS 0
+#endif
 #if LOOPS_OVER_LIGHTS && MANY_LIGHTS && !LIGHT_KINDS && !SHADOWS
 #define LIGHTS_AT_ONCE 4
 #else

@@ -64,8 +64,11 @@ Way way_between(vec3 surface, lane3 light) {
 
 // ---- highlights: radiance per unit of light, without N.L and highlight_scale() ---------------------------------
 
-// cosine^exponent. Base 0 with exponent 0 is left open by GLSL: the lab says 1, as C does.
-lane lobe(lane cosine, real exponent) { return exp2(exponent * log2(max(cosine, real(1e-37)))); }
+// cosine^exponent; 0 where the cosine is not above 0, but of exponent 0, which GLSL leaves open: the lab says 1, as C does.
+lane lobe(lane cosine, real exponent) {
+  real least = real(1e9) * (step(real(1e-30), exponent) - real(1.0));
+  return if_less(lane(least), cosine, exp2(exponent * log2(max(cosine, real(1e-37)))));
+}
 
 // Walter et al. 2007 (D), Heitz 2014 (correlated Smith visibility), as glTF 2.0, appendix B: pi D V / (alpha^2 / 2).
 lane D_V_GGX(Receiver r, lane n_dot_h_2, lane n_dot_l) {
@@ -87,8 +90,8 @@ Lighting reflected(Receiver r, lane3 to_light, lane3 colour, lane arriving) {
 #if !MISTAKE_SPECULAR_UNGATED
   arriving = if_less(lane(0.0), n_dot_l, arriving);  // turned away: no highlight either (`specular-ungated`)
 #endif
-  n_dot_l = max(n_dot_l, real(0.0));
-  lane facing = arriving * n_dot_l;
+  lane lit_cosine = max(n_dot_l, real(0.0));
+  lane facing = arriving * lit_cosine;
   Lighting sum;
   sum.diffuse = weighted_sum(colour, facing);
 #if SHADING_MODEL == MODEL_LAMBERT
@@ -107,7 +110,7 @@ Lighting reflected(Receiver r, lane3 to_light, lane3 colour, lane arriving) {
   // |l + v| is twice the cosine of the angle between either of them and what halves it.
   lane3 fresnel = in_all_lanes(r.f0) + times(F_Schlick(real(0.5) * sqrt(length_2)), r.grazing);
   sum.diffuse = weighted_sum(colour, scaled(in_all_lanes(vec3(1.0)) - fresnel, facing));
-  sum.specular = weighted_sum(colour, scaled(fresnel, facing * D_V_GGX(r, n_dot_h_2, n_dot_l)));
+  sum.specular = weighted_sum(colour, scaled(fresnel, facing * D_V_GGX(r, n_dot_h_2, lit_cosine)));
 #endif
 #endif
   return sum;

@@ -58,7 +58,11 @@ Lighting shade(Receiver r, Light light) {
 #endif
   lane arriving = arriving_share(light, way);
 #if SHADOWS
-  arriving *= visibility(light, r.position, r.normal, way.direction);
+  bool asked = arriving > 0.0;  // a map is a dozen texels
+#if !MISTAKE_SPECULAR_UNGATED
+  asked = asked && dot(r.normal, way.direction) > 0.0;
+#endif
+  if (asked) arriving *= visibility(light, r.position, r.normal, way.direction);
 #endif
   return reflected(r, way.direction, light.colour, arriving);
 }

@@ -90,7 +90,7 @@ void append_light(const Settings& s, std::vector<Attachment>& all) {
   } else if (!sum_begins_in_geometry(s) && !folds_light(s)) {
     all.push_back({"light.sum", Pass::lighting, Stores::light, sum, "rgb: albedo x diffuse + specular"});
   }
-  if (lighting_tests_depth(s) || needs_stencil(s))
+  if (!folds_light(s) && (lighting_tests_depth(s) || needs_stencil(s)))
     all.push_back({"light.depth", Pass::lighting, Stores::light_depth, depth_format(s),
                    needs_stencil(s) ? "a copy of the depth; stencil: marks" : "a copy of the depth"});
 }

@@ -163,13 +163,13 @@ void draw_numbered(const Frame& frame, const ObjectDraw& draw, const gl::Program
   }
 }
 
-// Nearest first, unless draw-order asks for another order.
-void sort_parts(const Frame& frame, int object, std::vector<const MeshPart*>& parts) {
-  const DrawOrder order = frame.settings.draw_order;
+// Opaque ones as draw-order says, nearest first by default; what is blended from the farthest on.
+void sort_parts(const Frame& frame, const ObjectDraw& draw, std::vector<const MeshPart*>& parts) {
+  const DrawOrder order = draw.blended ? DrawOrder::far_near : frame.settings.draw_order;
   if (order == DrawOrder::seeded) return;
   std::vector<std::pair<double, const MeshPart*>> by_distance;
   for (const MeshPart* p : parts) {
-    const glm::dvec3 centre(world_from_object_of(frame, object) * glm::dvec4(p->box.centre(), 1));
+    const glm::dvec3 centre(world_from_object_of(frame, draw.object) * glm::dvec4(p->box.centre(), 1));
     const double distance = glm::distance(centre, frame.settings.camera.position);
     by_distance.emplace_back(order == DrawOrder::near_far ? distance : -distance, p);
   }
@@ -177,12 +177,12 @@ void sort_parts(const Frame& frame, int object, std::vector<const MeshPart*>& pa
   std::transform(by_distance.begin(), by_distance.end(), parts.begin(), [](auto& p) { return p.second; });
 }
 
-void draw_parts_in_view(const Frame& frame, const GpuScene::GpuMesh& mesh, int object) {
-  const InView in_view(frame, object);
+void draw_parts_in_view(const Frame& frame, const GpuScene::GpuMesh& mesh, const ObjectDraw& draw) {
+  const InView in_view(frame, draw.object);
   std::vector<const MeshPart*> parts;
   for (const MeshPart& p : mesh.parts)
     if (in_view(p.box)) parts.push_back(&p);
-  sort_parts(frame, object, parts);
+  sort_parts(frame, draw, parts);
   std::vector<GLsizei> counts;
   std::vector<const void*> offsets;
   for (const MeshPart* p : parts) {
@@ -230,7 +230,7 @@ static std::vector<ObjectDraw> prepare(Frame& frame, bool transparent, const glm
       by_rank.push_back(
           {rank(order.front()), {&batch, next, static_cast<int>(order.size()), alone(order.front(), order.size())}});
     for (const int i : order) {
-      if (transparent) by_rank.push_back({rank(i), {&batch, next, 1, alone(i, 1)}});
+      if (transparent) by_rank.push_back({rank(i), {&batch, next, 1, alone(i, 1), true}});
       append_record(frame, i, origin, records);
       ++next;
     }
@@ -316,7 +316,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
     glBindVertexArray(mesh.vertex_array.id());
     if (draw.object >= 0 && mesh.parts.size() > 1)
-      draw_parts_in_view(frame, mesh, draw.object);
+      draw_parts_in_view(frame, mesh, draw);
     else
       glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
   }

@@ -13,6 +13,7 @@ struct ObjectDraw {
   int first, count;
   int object =
       -1;  // if it is one alone, from 0: of its mesh only the parts in view are drawn, nearest first. -1: all parts are
+  bool blended = false;  // its parts are drawn farthest first
 };
 
 // Writes the instances' records and says what to draw: objects that may be in view. Opaque: batches and their instances as draw-order says.

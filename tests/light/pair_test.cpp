@@ -15,7 +15,7 @@ struct Case {
 
 using real = double;
 using vec3 = glm::dvec3;
-using glm::clamp, glm::dot, glm::exp2, glm::inversesqrt, glm::log2, glm::max, glm::min, glm::sqrt;
+using glm::clamp, glm::dot, glm::exp2, glm::inversesqrt, glm::log2, glm::max, glm::min, glm::sqrt, glm::step;
 #include "shaders/lanes.glsl"
 #define PAIR_TEXT "tests/light/pair_text.inc"
 #include "renderer/light/pair_variants.inc"
@@ -61,7 +61,7 @@ void expect_the_references_light(ShadingModel model, Attenuation attenuation, do
 }
 
 TEST(Pair, EveryModelIsTheReferences) {
-  for (const double exponent : {-1.0, 0.0, 16.0}) {
+  for (const double exponent : {-1.0, 0.0, 0.01, 16.0}) {
     expect_the_references_light(ShadingModel::lambert, Attenuation::linear, exponent,
                                 lambert_linear::reflected_by_shader);
     expect_the_references_light(ShadingModel::phong, Attenuation::linear, exponent, phong_linear::reflected_by_shader);

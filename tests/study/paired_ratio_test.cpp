@@ -43,7 +43,7 @@ TEST(PairedRatio, TheIntervalHoldsTheTrueRatioAsOftenAsItSays) {
       held += r.low <= 0.8 && 0.8 <= r.high;
     }
     EXPECT_GT(held, 0.945 * kExperiments) << rounds;  // three standard errors below 0.955, the least of these ranks
-    EXPECT_LT(held, 0.995 * kExperiments) << rounds;
+    EXPECT_LT(held, 0.998 * kExperiments) << rounds;  // of nine all are taken: 1 - 2 / 2^9
   }
 }
 
