@@ -76,6 +76,8 @@ Compared compared(const char* name, const std::vector<double>& ms, Lab& lab, con
 
 // B is A with the options of --against.
 ExitCode run_against(const Arguments& a) {
+  if (a.frames == 0)
+    throw Error(ExitCode::bad_input, "--frames", "0 frames give no ratio", "give 1 or more, or leave it out");
   const auto [first, scene] = setup_of(a);
   Settings second = first;
   for (const std::string& assignment : a.against) apply_assignment(second, assignment);
@@ -83,8 +85,6 @@ ExitCode run_against(const Arguments& a) {
   Lab lab(without_of(a));
   if (scene) lab.show(first.scene, scene);
   for (const Settings& s : {first, second}) require_valid(s, lab.limits());
-  if (a.frames == 0)
-    throw Error(ExitCode::bad_input, "--frames", "0 frames give no ratio", "give 1 or more, or leave it out");
   if (second.scene != first.scene)
     throw Error(ExitCode::bad_input, "--against", "both draw the same scene", "choose it with --scene");
   lab.open(first.scene);
@@ -111,13 +111,11 @@ ExitCode run_against(const Arguments& a) {
   return ExitCode::done;
 }
 
-}  // namespace
-
 // Every light reaches all of the picture; unless another scene is asked for, all of it is wall.
 Arguments with_pairs(Arguments a) {
-  if (!a.against.empty() || a.frames || a.lights)
-    throw Error(ExitCode::bad_input, "--micro", "it chooses its own frames, lights and set-ups",
-                "leave out --against, --frames and --lights");
+  if (!a.against.empty() || a.frames || a.lights || a.no_truth)
+    throw Error(ExitCode::bad_input, "--micro", "it chooses its own frames, lights and set-ups, and measures no error",
+                "leave out --against, --frames, --lights and --no-truth");
   if (!a.scene) a.scene = "builtin:hall";
   a.set.insert(a.set.begin(), "lights.range-scale=1000");
   return a;
@@ -147,6 +145,8 @@ ExitCode run_micro(const Arguments& a) {
                r.arithmetic_ns ? fmt::format("{:.2f}", *r.arithmetic_ns) : "-");
   return ExitCode::done;
 }
+
+}  // namespace
 
 ExitCode run_bench(const Arguments& a) {
   if (a.micro) return run_micro(a);

@@ -175,7 +175,7 @@ vec4 specular_texel() {
 #endif
 }
 
-// KHR_materials_specular. The reflectance at grazing angles follows from it as everywhere (F_Schlick in shade.glsl).
+// KHR_materials_specular. The reflectance at grazing angles follows from it as everywhere (grazing_of() in pair.glsl).
 vec3 material_dielectric() {
 #if SPECULAR
   vec4 texel = specular_texel();

@@ -1,5 +1,5 @@
 #pragma once
-// Falloff of light with distance, in double; the same formulas as shaders/shade.glsl, written apart.
+// Falloff of light with distance, in double; the same formulas as shaders/attenuation.glsl, written apart.
 #include "renderer/light/light_axes.h"
 
 namespace gbl {

@@ -105,7 +105,6 @@ void append_light_defines(gl::Defines& out, const ResolvedFrame& f) {
   append_axis(out, "ATTENUATION", "ATTENUATION_", s.attenuation);
   out.push_back({"LIGHT_KINDS", f.light_kinds});
   out.push_back({"MANY_LIGHTS", f.many_lights});
-  out.push_back({"RANGE_IS_PROFILE", s.range.kind == RangeKind::source || s.range.kind == RangeKind::windowed});
   out.push_back({"RANGE_WINDOWED", s.range.kind == RangeKind::windowed});
   const bool shadows = !f.shadows.maps.empty();
   out.push_back({"SHADOWS", shadows});

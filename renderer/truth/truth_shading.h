@@ -1,5 +1,5 @@
 #pragma once
-// What one light does to one surface point, in double, from the formulas. Written apart from shaders/shade.glsl: what
+// What one light does to one surface point, in double, from the formulas. Written apart from shaders/pair.glsl: what
 // is wrong there must not be wrong here in the same way.
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"

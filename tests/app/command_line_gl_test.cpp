@@ -1,7 +1,9 @@
-// The command line's order and refusals. Nothing is drawn here.
+// The command line's order and refusals, and the ways of `bench`.
 #include <gtest/gtest.h>
+#include <map>
 
 #include "app/commands.h"
+#include "renderer/base/json.h"
 
 namespace gbl {
 namespace {
@@ -35,6 +37,57 @@ TEST(CommandLine, ACommandRefusesOptionsItWouldIgnore) {
   EXPECT_NE(refused({"list", "keys", "--lights", "3"}).find("--lights"), std::string::npos);
   EXPECT_NE(refused({"info", "--scene", "builtin:room"}).find("--scene"), std::string::npos);
   EXPECT_NE(refused({"view", "--json"}).find("--json"), std::string::npos);
+}
+
+Json json_of_bench(std::vector<const char*> words) {
+  words.insert(words.begin(), {"bench", "--json"});
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(run_bench(parsed(words)), ExitCode::done);
+  return Json::parse(testing::internal::GetCapturedStdout());
+}
+
+std::string refused_by_bench(std::vector<const char*> words) {
+  words.insert(words.begin(), "bench");
+  try {
+    run_bench(parsed(words));
+  } catch (const Error& e) {
+    EXPECT_EQ(e.code(), ExitCode::bad_input);
+    return e.what();
+  }
+  return "accepted";
+}
+
+TEST(CommandLine, BenchAgainstMeasuresBothAndTheirErrors) {
+  const Json j = json_of_bench({"--scene", "builtin:yard", "--size", "64x36", "--preset", "compact", "--frames", "3",
+                                "--set", "lights.method=fullscreen", "--against", "accumulation.targets=split",
+                                "--against", "accumulation.format=rgba8"});
+  EXPECT_EQ(j["rounds"], 3);
+  EXPECT_GT(j["ratio"], 0);
+  EXPECT_LE(j["ratio_low"], j["ratio"]);
+  EXPECT_GE(j["ratio_high"], j["ratio"]);
+  EXPECT_EQ(int(j["B"]["bytes_per_pixel"]) - int(j["A"]["bytes_per_pixel"]), 8) << "two sums in RGBA8";
+  EXPECT_GT(double(j["B"]["over_half_255_display"]), double(j["A"]["over_half_255_display"])) << "8 bits are too few";
+}
+
+TEST(CommandLine, BenchMicroHasARowForEachModelFalloffAndMethod) {
+  const Json j = json_of_bench({"--micro", "--size", "64x36"});
+  std::map<std::string, int> rows;
+  for (const Json& r : j) {
+    ++rows[r["group"]];
+    EXPECT_TRUE(r["ns_per_pair"].is_number());
+    EXPECT_TRUE(r["arithmetic_ns_per_pair"].is_null() || r["group"] != "lights.method")
+        << "how it is read is not in it";
+  }
+  EXPECT_EQ(rows["shading.model"], 4);
+  EXPECT_EQ(rows["attenuation"], 7);
+  EXPECT_GE(rows["lights.method"], 5) << "six where there are compute shaders";
+}
+
+TEST(CommandLine, BenchRefusesWhatItWouldIgnore) {
+  EXPECT_NE(refused_by_bench({"--micro", "--lights", "3"}).find("--lights"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--micro", "--against", "colour=srgb"}).find("--against"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--against", "no.such=1"}).find("no.such"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--frames", "0", "--against", "lights.count=1"}).find("0 frames"), std::string::npos);
 }
 
 TEST(CommandLine, WhatIsWrongIsNamed) {
