@@ -2,6 +2,7 @@
 // A set-up measured as a row of a study: errors against the reference, then times of repeated frames, then counts.
 // In steps of a frame or less, with targets of its own, so that a window can go on drawing in between.
 #include "app/truth_keeper.h"
+#include "renderer/base/threads.h"
 #include "renderer/frame/estimate.h"
 #include "renderer/study/page/thumbnails.h"
 #include "renderer/study/rows/study_row.h"

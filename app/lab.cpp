@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/threads.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/passes/float_rows.h"
 #include "renderer/truth/ties.h"

@@ -1,6 +1,7 @@
 #include "app/pitfall_bench.h"
 
 #include "app/stability_bench.h"
+#include "renderer/base/threads.h"
 #include "renderer/opening/scene_look.h"
 
 namespace gbl {

@@ -1,16 +1,23 @@
 // Each pixel reads the list of its cluster, and the list of the lights that are everywhere.
 #include "light_loop.glsl"
 
+// How the picture is cut: ClusterGrid of renderer/light/cluster_grid.h.
+uniform ivec3 cuts;   // binary logarithm of a tile's side in pixels, columns, slices
+uniform vec2 slices;  // slice = log2(depth) * x + y
+
 uniform usamplerBuffer light_lists;  // see LightClusters::words(): a texel holds four
-uniform vec2 slices;                 // slice = log2(depth) * x + y
 uniform ivec2 everywhere;            // the texel at which that list starts, how long it is
 
-// Depth is the distance along the view axis, whatever the depth buffer holds.
-int cluster_of(vec3 position) {
-  float depth = max(dot(position, ray_forward.xyz), planes.x);
-  int slice = clamp(int(floor(log2(depth) * slices.x + slices.y)), 0, CLUSTER_SLICES - 1);
-  ivec2 cell = ivec2(gl_FragCoord.xy * viewport.zw * vec2(CLUSTER_COLUMNS, CLUSTER_ROWS));
-  return (slice * CLUSTER_ROWS + cell.y) * CLUSTER_COLUMNS + cell.x;
+// The texel at which the list of a place starts, and how long it is. Depth is the distance along the view axis, whatever
+// the depth buffer holds.
+ivec2 list_of(vec3 position) {
+  ivec2 tile = ivec2(gl_FragCoord.xy) >> cuts.x;
+  ivec3 clusters = ivec3(texelFetch(light_lists, tile.y * cuts.y + tile.x).xyz);  // first texel, slice, how many
+  float depth = max(dot(position, ray_forward.xyz), planes.x), slice = max(log2(depth) * slices.x + slices.y, 0.0);
+  int k = int(slice) - clusters.y;
+  bool listed = slice < float(cuts.z) && k >= 0 && k < clusters.z;
+  ivec2 list = ivec2(texelFetch(light_lists, clusters.x + (listed ? k : 0)).xy);
+  return listed ? list : ivec2(0);
 }
 
 Light read_listed(int texel, int i) {
@@ -32,7 +39,7 @@ void main() {
   }
   Receiver r = receiver_of(s);
   Sums sums = no_sums();
-  ivec2 own = ivec2(texelFetch(light_lists, cluster_of(s.position)).xy);
+  ivec2 own = list_of(s.position);
   own.y = filled_up(own.y);
   // One loop for both lists: llvmpipe runs a loop's body once even if no pixel has a turn.
   for (int i = 0; i < own.y + everywhere.y; i += LIGHTS_AT_ONCE) {

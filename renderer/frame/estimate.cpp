@@ -17,7 +17,7 @@ namespace {
 // 16 384 lights, from local ones to all that reach all: the turn took 1.7 to 2 ns.
 constexpr double kPixel = 6;         // a full-screen pass reads the G-buffer and writes its sums
 constexpr double kSecondTest = 0.1;  // of a distance that shade() tests again
-constexpr double kFindCluster = 4;   // a pixel looks up where its list is
+constexpr double kFindCluster = 6;   // a pixel's depth is looked at, and it looks up where its list is
 constexpr double kListed = 1.3;      // a turn of a loop whose lights come from a cluster's list
 constexpr double kMarked = 1.1;      // … and from a tile's bits
 constexpr double kFragment = 7.2;    // a pair with a fragment of its own: it reads the G-buffer, shades and blends
@@ -28,8 +28,8 @@ constexpr double kTriangle = 40;  // of a mesh
 constexpr double kQuad = 400;
 constexpr double kDisc = 3600;
 constexpr double kTileBatch = 7600;   // one tile tests 256 lights, with its barriers
-constexpr double kListedLight = 100;  // a light is put into lists, on the CPU
-constexpr double kListEntry = 3.5;
+constexpr double kListedLight = 80;  // a light is put into lists, on the CPU
+constexpr double kListEntry = 25;
 
 // Of more lights than this only some are looked at: 16 384 took 20 to 40 ms, half a frame.
 constexpr size_t kMostLookedAt = 512;
@@ -83,9 +83,9 @@ double grown(double share, double cell) {
 }
 
 // Half of all clusters, and every pixel reads the light.
-double share_in_clusters(double outline, double thick) {
-  const double share = grown(outline, 1.0 / kClusters.y) * std::min(1.0, thick + 1.0 / kClusters.z);
-  return share > 0.5 ? 1 : share;
+double share_in_clusters(double outline, double thick, double tile) {
+  const double share = grown(outline, tile) * std::min(1.0, thick + 1.0 / kMostSlices);
+  return share > 0.875 ? 1 : share;
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ LightsInView lights_in_view(const Settings& s, const std::vector<Light>& lights)
     v.under_volumes += v.pixels * volume.outline * faces;
     v.under_quads += v.pixels * own.bounds;
     v.in_tiles += v.pixels * grown(own.outline, tile) * std::min(1.0, thick + kTileDepths);
-    v.in_clusters += v.pixels * share_in_clusters(own.outline, thick);
+    v.in_clusters += v.pixels * share_in_clusters(own.outline, thick, tile);
   }
   const double looked_at = double((lights.size() + step - 1) / step), stands_for = step > 1 ? v.lights / looked_at : 1;
   for (double* sum : {&v.reached, &v.under_volumes, &v.under_quads, &v.in_tiles, &v.in_clusters}) *sum *= stands_for;
@@ -154,7 +154,7 @@ LightWork tiled(const LightsInView& v) {
 }
 
 LightWork clustered(const LightsInView& v) {
-  const double entries = std::min<double>(kMostClusterEntries, kClusterCount * v.in_clusters / v.pixels);
+  const double entries = std::min<double>(kMostClusterEntries, 2.2 / (kTile * kTile) * v.in_clusters);
   return {
       v.in_clusters, v.reached,
       (kPixel + kFindCluster) * v.pixels + kListedLight * v.lights + kListEntry * entries + kListed * v.in_clusters};

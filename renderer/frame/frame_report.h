@@ -21,11 +21,21 @@ struct PairCounts {
   std::optional<uint64_t> lit;  // distance < range; counted by a pass of its own
 };
 
+// How the clustered method cut the picture, and what it listed.
+struct ListReport {
+  int tile_px = 0;      // a tile's side
+  double light_px = 0;  // a light's width, the mean of those in view
+  uint64_t entries = 0;
+  int everywhere = 0;  // lights that every pixel reads
+  double ms = 0;       // of the CPU, when they were last made: they are kept while nothing moves
+};
+
 struct FrameReport {
   glm::ivec2 size{0};            // as drawn
   std::vector<PassTime> passes;  // in the order drawn
   std::string time_source;       // "gpu-query", "software-rasteriser" or "cpu-clock"
   std::optional<PairCounts> pairs;
+  std::optional<ListReport> lists;
   int draw_calls = 0;
   int gbuffer_bytes_per_pixel = 0;
   int accumulation_bytes_per_pixel = 0;

@@ -10,18 +10,16 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of normalised device coordinates: far above double's, far below a pixel
 
-ScreenBounds perspective_bounds(const Camera& c, double aspect, const glm::dvec3& at, double radius) {
-  const double half_height = c.half_height(aspect);
+ScreenBounds perspective_bounds(const Camera& c, glm::dvec2 half, const glm::dvec3& at, double radius) {
   const Interval x = slopes_of_circle(at.x, at.z, radius, c.near);
   const Interval y = slopes_of_circle(at.y, at.z, radius, c.near);
-  return {{x.from / (half_height * aspect), y.from / half_height}, {x.to / (half_height * aspect), y.to / half_height}};
+  return {{x.from / half.x, y.from / half.y}, {x.to / half.x, y.to / half.y}};
 }
 
-ScreenBounds orthographic_bounds(const Camera& c, double aspect, const glm::dvec3& at, double radius) {
+ScreenBounds orthographic_bounds(const Camera& c, glm::dvec2 half, const glm::dvec3& at, double radius) {
   // What the near plane leaves of a ball whose centre is behind it is as wide as the cut.
   const double cut = std::max(0.0, c.near - at.z);
   const double width = std::sqrt(std::max(0.0, radius * radius - cut * cut));
-  const glm::dvec2 half = c.half_height(aspect) * glm::dvec2(aspect, 1);
   return {(glm::dvec2(at) - width) / half, (glm::dvec2(at) + width) / half};
 }
 
@@ -65,13 +63,16 @@ ScreenBounds clipped(const ScreenBounds& b) {
   return inside.empty() ? ScreenBounds{} : inside;
 }
 
-ScreenBounds screen_bounds(const Camera& c, double aspect, const Ball& ball) {
-  const glm::dvec3 at = view_of(c, ball.centre);
-  if (!(ball.radius > 0) || at.z + ball.radius <= c.near) return {};
-  ScreenBounds b = c.orthographic() ? orthographic_bounds(c, aspect, at, ball.radius)
-                                    : perspective_bounds(c, aspect, at, ball.radius);
+ScreenBounds view_bounds(const Camera& c, glm::dvec2 half, const glm::dvec3& at, double radius) {
+  if (!(radius > 0) || at.z + radius <= c.near) return {};
+  ScreenBounds b =
+      c.orthographic() ? orthographic_bounds(c, half, at, radius) : perspective_bounds(c, half, at, radius);
   b.from -= kRounding, b.to += kRounding;
   return b;
+}
+
+ScreenBounds screen_bounds(const Camera& c, double aspect, const Ball& ball) {
+  return view_bounds(c, c.half_height(aspect) * glm::dvec2(aspect, 1), view_of(c, ball.centre), ball.radius);
 }
 
 ScreenBounds screen_bounds(const Camera& c, double aspect, const Light& l) {

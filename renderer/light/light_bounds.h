@@ -37,6 +37,8 @@ ScreenBounds clipped(const ScreenBounds&);
 
 // Exact bounds of the part of a ball beyond the near plane; empty if there is none.
 ScreenBounds screen_bounds(const Camera&, double aspect, const Ball&);
+// The same of a ball whose centre is as view_of() gives it; `half`: the picture's half extents, as Camera::half_height().
+ScreenBounds view_bounds(const Camera&, glm::dvec2 half, const glm::dvec3& centre, double radius);
 
 // Of all that a light reaches, clipped; the whole screen for a light without end.
 ScreenBounds screen_bounds(const Camera&, double aspect, const Light&);

@@ -1,214 +1,253 @@
 #include "renderer/light/light_clusters.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
-#include "renderer/light/light_bounds.h"
-#include "renderer/light/light_volume.h"
+#include "renderer/base/threads.h"
 
 namespace gbl {
 namespace {
 
-// Added to a radius, relative to it and to the distance: positions and slices are computed in float on the GPU.
-constexpr double kFloatSlack = 1e-5;
+constexpr uint32_t kTexel = 4;  // words
 
-// What is nearer than this part of the farthest light is one slice: a tiny pyramid of space, in which few lights meet.
-// With slices down to the near plane, most of them would lie in a hand's breadth of air.
-constexpr double kNearestPart = 0.01;
+// Of a slice: what is so close to a border belongs to both sides, since the shader rounds otherwise.
+constexpr float kBorder = 1e-3f;
 
-}  // namespace
+// A light that reaches more of the clusters than this is read by all: the few pixels that could have done without it cost
+// less than its lists.
+constexpr double kNearlyAll = 0.875;
 
-// The camera in view coordinates: right, up, and depth along the view axis.
-class LightClusters::View {
+// Four numbers side by side (an extension that GCC and Clang share).
+using Four = float __attribute__((vector_size(16)));
+Four smaller(Four a, Four b) { return a < b ? a : b; }
+Four larger(Four a, Four b) { return a > b ? a : b; }
+
+// Does a ball meet what is seen of some clusters? Four are asked at a time. Floats are good enough: the balls are wider
+// than they must be (cluster_grid.cpp).
+class Meetings {
  public:
-  View(const Camera& c, double aspect)
-      : camera(c), half_height_(c.half_height(aspect)), half_width_(half_height_ * aspect) {}
+  static constexpr size_t kAtOnce = 4;
 
-  // Columns or rows, in normalised device coordinates, of the part of a ball at depth >= nearest.
-  Interval across(double right, double depth, double radius, double nearest) const {
-    return extent(right, depth, radius, nearest, half_width_);
-  }
-  Interval along(double up, double depth, double radius, double nearest) const {
-    return extent(up, depth, radius, nearest, half_height_);
-  }
+  Meetings(const LightReach& r, bool orthographic)
+      : centre_(r.centre), squared_(static_cast<float>(r.radius * r.radius)), turn_(orthographic ? 0.0f : 1.0f) {}
 
-  // How far a point is above the plane between two rows, and the point moved down onto it.
-  double above(const glm::dvec3& p, double ndc) const {
-    const double slope = ndc * half_height_;
-    return camera.orthographic() ? p.y - slope : (p.y - slope * p.z) / std::sqrt(1 + slope * slope);
-  }
-  glm::dvec3 moved_down(const glm::dvec3& p, double by, double ndc) const {
-    if (camera.orthographic()) return p - glm::dvec3(0, by, 0);
-    const double slope = ndc * half_height_;
-    return p - by / std::sqrt(1 + slope * slope) * glm::dvec3(0, 1, -slope);
-  }
+  // Of each of a tile's borders: a slope, or a place if orthographic.
+  struct Asked {
+    Four left, right, low, high, nearest, farthest;
+  };
 
-  // Does the ball hold all that can be seen?
-  bool inside(const glm::dvec3& centre, double radius) const {
-    for (const double depth : {camera.near, camera.far})
-      for (const double x : {-half_width_, half_width_})
-        for (const double y : {-half_height_, half_height_}) {
-          const double width = camera.orthographic() ? 1 : depth;
-          if (glm::distance(centre, {x * width, y * width, depth}) >= radius) return false;
-        }
-    return true;
+  // The squared distance is convex in depth, and of pieces that are quadratic. So the lowest point of the piece at the
+  // centre's depth is the lowest of all, or the tangent there bounds what is nearer.
+  Four least_squared(const Asked& c) const {
+    const Four first = smaller(larger(Four{} + centre_.z, c.nearest), c.farthest);
+    Aside x = aside(centre_.x, c.left, c.right, first), y = aside(centre_.y, c.low, c.high, first);
+    const Four bent = 1 + x.slope * x.slope + y.slope * y.slope;
+    const Four lowest = first + (centre_.z - first - x.slope * x.gap - y.slope * y.gap) / bent;
+    const Four depth = smaller(larger(lowest, c.nearest), c.farthest), along = depth - centre_.z;
+    x = aside(centre_.x, c.left, c.right, depth), y = aside(centre_.y, c.low, c.high, depth);
+    const Four steepness = 2 * (along + x.slope * x.gap + y.slope * y.gap);
+    const Four nearer = smaller(steepness * (c.nearest - depth), steepness * (c.farthest - depth));
+    return along * along + x.gap * x.gap + y.gap * y.gap + smaller(nearer, Four{});
   }
-
-  const Camera& camera;
+  float squared() const { return squared_; }
 
  private:
-  Interval extent(double c, double depth, double radius, double nearest, double half) const {
-    if (camera.orthographic()) return {(c - radius) / half, (c + radius) / half};
-    const Interval slopes = slopes_of_circle(c, depth, radius, nearest);
-    return {slopes.from / half, slopes.to / half};
+  // What one axis adds: how far the centre is beyond a border, and how that border moves with depth. 0 within.
+  struct Aside {
+    Four gap, slope;
+  };
+  Aside aside(float centre, Four from, Four to, Four depth) const {
+    const Four width = turn_ * depth + (1 - turn_), before = from * width - centre, beyond = centre - to * width;
+    const Four slope = before > 0 ? from : (beyond > 0 ? -to : Four{});
+    return {larger(larger(before, beyond), Four{}), turn_ * slope};
   }
-  double half_height_, half_width_;
+
+  const glm::vec3 centre_;
+  const float squared_, turn_;
 };
 
-namespace {
-
-// First and last of `count` equal parts of -1 … 1 that an interval touches; empty where it is beside all of them.
-struct Parts {
-  int first = 0, last = -1;
-};
-Parts parts_of(const Interval& ndc, int count) {
-  if (ndc.empty() || ndc.to < -1 || ndc.from > 1) return {};
-  const auto part = [&](double x) { return std::clamp(static_cast<int>((x + 1) / 2 * count), 0, count - 1); };
-  return {part(std::max(ndc.from, -1.0)), part(std::min(ndc.to, 1.0))};
-}
-
-double ndc_of(int border, int count) { return 2.0 * border / count - 1; }
-
-Ball widened(const Camera& camera, const Light& light) {
-  const Ball ball = reach_of(light);
-  const double distance = glm::distance(ball.centre, camera.position);
-  return {ball.centre, ball.radius * (1 + kFloatSlack) + distance * kFloatSlack};
+template <class Use>
+void each_bit(uint64_t bits, Use use) {
+  for (; bits; bits &= bits - 1) use(std::countr_zero(bits));
 }
 
 }  // namespace
 
-void LightClusters::build(const Camera& camera, double aspect, std::span<const Light> lights, uint32_t most_entries) {
-  const View view(camera, aspect);
-  cells_.clear(), listed_.clear(), everywhere_.clear();
-  find_slices(view, lights);
-  for (size_t i = 0; i < lights.size(); ++i) add(view, lights[i], static_cast<uint32_t>(i));
-  keep_within(most_entries);
-  fill(static_cast<uint32_t>(lights.size()));
-}
+void LightClusters::forget() { built_ = false; }
 
-// From the nearest to the farthest point that any light reaches: elsewhere no list is needed.
-void LightClusters::find_slices(const View& view, std::span<const Light> lights) {
-  const Camera& camera = view.camera;
-  double nearest = camera.far, farthest = camera.near;
-  for (const Light& l : lights) {
-    if (!bounded(l)) continue;
-    const Ball ball = widened(camera, l);
-    const double depth = view_of(camera, ball.centre).z;
-    nearest = std::min(nearest, depth - ball.radius);
-    farthest = std::max(farthest, depth + ball.radius);
-  }
-  farthest = std::min(farthest, camera.far);
-  nearest = std::max({nearest, camera.near, farthest * kNearestPart});
-  const double octaves = std::max(1.0, std::log2(farthest / nearest));
-  slice_scale_ = kClusters.z / octaves;
-  slice_offset_ = -std::log2(nearest) * slice_scale_;
-  slice_starts_.assign(1, camera.near);
-  for (int k = 1; k < kClusters.z; ++k) slice_starts_.push_back(std::exp2((k - slice_offset_) / slice_scale_));
-  slice_starts_.push_back(std::max(camera.far, slice_starts_.back()));
-}
-
-void LightClusters::add(const View& view, const Light& light, uint32_t index) {
-  if (!bounded(light)) return everywhere_.push_back(index);
-  const Ball ball = widened(view.camera, light);
-  const glm::dvec3 centre = view_of(view.camera, ball.centre);
-  const uint32_t begin = static_cast<uint32_t>(cells_.size());
-  if (view.inside(centre, ball.radius) || !find_cells(view, centre, ball.radius)) {
-    cells_.resize(begin);
-    return everywhere_.push_back(index);
-  }
-  uint32_t entries = 0;
-  for (size_t i = begin; i < cells_.size(); ++i) entries += cells_[i].last - cells_[i].first + 1u;
-  if (entries > 0) listed_.push_back({index, begin, static_cast<uint32_t>(cells_.size()), entries});
-}
-
-// Persson 2013, "Practical Clustered Shading": where a plane cuts off the centre, what is left of a ball lies in the
-// smaller ball round the cut. So per slice, then per row, and the columns follow from the tangents of what is left.
-// False if more than half of all clusters are reached.
-bool LightClusters::find_cells(const View& view, const glm::dvec3& centre, double radius) {
-  int entries = 0;
-  for (int slice = 0; slice < kClusters.z; ++slice) {
-    const double start = slice_starts_[slice], end = slice_starts_[slice + 1];
-    const double depth = std::clamp(centre.z, start, end);
-    const double in_slice = radius * radius - (centre.z - depth) * (centre.z - depth);
-    if (in_slice <= 0) continue;
-    const glm::dvec3 cut(centre.x, centre.y, depth);
-    const Parts rows = parts_of(view.along(cut.y, cut.z, std::sqrt(in_slice), start), kClusters.y);
-    for (int row = rows.first; row <= rows.last; ++row) {
-      const double low = ndc_of(row, kClusters.y), high = ndc_of(row + 1, kClusters.y);
-      const double below = std::min(0.0, view.above(cut, low)), above = std::max(0.0, view.above(cut, high));
-      const double in_row = in_slice - below * below - above * above;
-      if (in_row <= 0) continue;
-      const glm::dvec3 p = view.moved_down(view.moved_down(cut, below, low), above, high);
-      const Parts columns = parts_of(view.across(p.x, p.z, std::sqrt(in_row), start), kClusters.x);
-      if (columns.last < columns.first) continue;
-      cells_.push_back({static_cast<uint16_t>(slice * kClusters.y + row), static_cast<uint8_t>(columns.first),
-                        static_cast<uint8_t>(columns.last)});
-      entries += columns.last - columns.first + 1;
-      if (entries > kClusterCount / 2) return false;
-    }
-  }
+bool LightClusters::build(const ClusterGrid& grid, std::span<const DepthSpan> blocks, uint32_t most_entries) {
+  const bool same = built_ && most_entries == most_entries_ && grid == grid_ &&
+                    std::equal(blocks.begin(), blocks.end(), blocks_.begin(), blocks_.end());
+  if (same) return false;
+  grid_ = grid, most_entries_ = most_entries, built_ = true;
+  blocks_.assign(blocks.begin(), blocks.end());
+  find_clusters();
+  constexpr size_t kWorthAThread = 200;  // lights: a thread starts in the time that listing so many takes
+  const int bands = grid_.reaches.size() < kWorthAThread ? 1 : std::min(all_processors(), std::max(1, grid_.tiles.y));
+  bands_.resize(static_cast<size_t>(bands));
+  on_threads(bands, [&](int i) {
+    Band& band = bands_[static_cast<size_t>(i)];
+    band.first_row = grid_.tiles.y * i / bands, band.end_row = grid_.tiles.y * (i + 1) / bands;
+    find_entries(band);
+  });
+  choose_everywhere(most_entries);
+  fill();
   return true;
 }
 
-// While there are too many entries, the widest light goes to the list that every pixel reads.
-void LightClusters::keep_within(uint32_t most_entries) {
-  uint64_t total = 0;
-  for (const Listed& l : listed_) total += l.entries;
-  if (total <= most_entries) return;
-  std::sort(listed_.begin(), listed_.end(), [](const Listed& a, const Listed& b) {
-    return a.entries != b.entries ? a.entries < b.entries : a.light < b.light;
-  });
-  for (; total > most_entries; listed_.pop_back()) {
-    total -= listed_.back().entries;
-    everywhere_.push_back(listed_.back().light);
-  }
-  std::sort(everywhere_.begin(), everywhere_.end());
-  std::sort(listed_.begin(), listed_.end(), [](const Listed& a, const Listed& b) { return a.light < b.light; });
+void LightClusters::find_clusters() {
+  tiles_.clear(), with_surfaces_.clear(), clusters_.clear();
+  for (int y = 0; y < grid_.tiles.y; ++y)
+    for (int x = 0; x < grid_.tiles.x; ++x) find_clusters({x, y});
 }
 
-void LightClusters::fill(uint32_t no_light) {
-  constexpr uint32_t kTexel = 4;  // words
-  const auto each_cell = [&](auto use) {
-    for (const Listed& l : listed_)
-      for (uint32_t i = l.begin; i < l.end; ++i)
-        for (int column = cells_[i].first; column <= cells_[i].last; ++column)
-          use(kTexel * static_cast<uint32_t>(cells_[i].row * kClusters.x + column), l.light);
+// Each block's span is cut by the slices, and what lies in a slice is seen of the tile's cluster there.
+void LightClusters::find_clusters(glm::ivec2 at) {
+  Tile tile{.first_cluster = static_cast<uint32_t>(clusters_.size())};
+  const int side = grid_.tile_px / kBlock;
+  const glm::ivec2 first = at * side, end = glm::min(first + side, grid_.blocks);
+  const auto each_span = [&](auto use) {
+    for (int y = first.y; y < end.y; ++y)
+      for (int x = first.x; x < end.x; ++x)
+        for (size_t k = 0; k < kSpans; ++k)
+          if (const DepthSpan& s = blocks_[kSpans * static_cast<size_t>(y * grid_.blocks.x + x) + k]; !s.empty())
+            use(s);
   };
-  words_.assign(kTexel * kClusterCount, 0);
-  each_cell([&](uint32_t head, uint32_t) { ++words_[head + 1]; });
-  uint32_t texel = kClusterCount;
+  DepthSpan seen;
+  each_span([&](const DepthSpan& s) { seen.add(s); });
+  if (!seen.empty()) {
+    tile.first_slice = first_slice(seen);
+    tile.slices = last_slice(seen) + 1 - tile.first_slice;
+    clusters_.resize(clusters_.size() + static_cast<size_t>(tile.slices));
+  }
+  uint64_t with_surfaces = 0;
+  each_span([&](const DepthSpan& s) {
+    for (int slice = first_slice(s); slice <= last_slice(s); ++slice) {
+      const auto border = [&](int k) { return std::clamp(grid_.slice_edges[k], s.nearest, s.farthest); };
+      clusters_[tile.first_cluster + static_cast<size_t>(slice - tile.first_slice)].add(
+          {border(slice), border(slice + 1)});
+      with_surfaces |= uint64_t{1} << slice;
+    }
+  });
+  tiles_.push_back(tile);
+  with_surfaces_.push_back(with_surfaces);
+}
+
+int LightClusters::slice_at(float depth, float off) const {
+  const float slice = std::log2(depth) * static_cast<float>(grid_.slice_scale) + static_cast<float>(grid_.slice_offset);
+  return static_cast<int>(std::clamp(slice + off, 0.0f, static_cast<float>(grid_.slices - 1)));
+}
+int LightClusters::first_slice(const DepthSpan& s) const { return slice_at(s.nearest, -kBorder); }
+int LightClusters::last_slice(const DepthSpan& s) const { return slice_at(s.farthest, kBorder); }
+
+void LightClusters::find_entries(Band& band) const {
+  band.count = 0;
+  band.of_reach.assign(grid_.reaches.size(), 0);
+  for (uint32_t i = 0; i < grid_.reaches.size(); ++i) {
+    const size_t before = band.count;
+    find_entries(band, i);
+    band.of_reach[i] = static_cast<uint32_t>(band.count - before);
+  }
+}
+
+void LightClusters::find_entries(Band& band, uint32_t reach) const {
+  const LightReach& r = grid_.reaches[reach];
+  const int first_row = std::max(band.first_row, r.first_pixel.y / grid_.tile_px);
+  const int last_row = std::min(band.end_row - 1, r.last_pixel.y / grid_.tile_px);
+  const int first_column = r.first_pixel.x / grid_.tile_px, last_column = r.last_pixel.x / grid_.tile_px;
+  const Meetings ball(r, grid_.orthographic);
+  Meetings::Asked asked{};
+  std::array<uint32_t, Meetings::kAtOnce> clusters{};
+  size_t count = 0;
+  const auto ask = [&] {
+    const Four least = ball.least_squared(asked);
+    if (band.entries.size() < band.count + count) band.entries.resize(2 * (band.count + count));
+    for (size_t k = 0; k < count; ++k) {  // without a branch: nobody can predict it
+      band.entries[band.count] = {clusters[k], reach};
+      band.count += least[k] < ball.squared() ? 1 : 0;
+    }
+    count = 0;
+  };
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column) {
+      const size_t tile = static_cast<size_t>(row * grid_.tiles.x + column);
+      each_bit(with_surfaces_[tile] & r.slices, [&](int slice) {
+        const uint32_t cluster = tiles_[tile].first_cluster + static_cast<uint32_t>(slice - tiles_[tile].first_slice);
+        asked.left[count] = grid_.column_edges[column], asked.right[count] = grid_.column_edges[column + 1];
+        asked.low[count] = grid_.row_edges[row], asked.high[count] = grid_.row_edges[row + 1];
+        asked.nearest[count] = clusters_[cluster].nearest, asked.farthest[count] = clusters_[cluster].farthest;
+        clusters[count++] = cluster;
+        if (count == Meetings::kAtOnce) ask();
+      });
+    }
+  if (count > 0) ask();
+}
+
+// Those that reach nearly everything, and while there are too many entries the widest.
+void LightClusters::choose_everywhere(uint32_t most_entries) {
+  std::vector<uint32_t>& entries = bands_[0].of_reach;  // of all bands together, from here on
+  for (size_t b = 1; b < bands_.size(); ++b)
+    for (size_t i = 0; i < entries.size(); ++i) entries[i] += bands_[b].of_reach[i];
+  entry_count_ = std::accumulate(entries.begin(), entries.end(), size_t{0});
+  listed_.assign(entries.size(), true);
+  everywhere_ = grid_.everywhere;
+  const auto read_by_all = [&](size_t reach) {
+    listed_[reach] = false;
+    entry_count_ -= entries[reach];
+    everywhere_.push_back(grid_.reaches[reach].light);
+  };
+  uint32_t with_surfaces = 0;
+  for (const uint64_t slices : with_surfaces_) with_surfaces += static_cast<uint32_t>(std::popcount(slices));
+  for (size_t i = 0; i < entries.size(); ++i)
+    if (entries[i] > kNearlyAll * with_surfaces) read_by_all(i);
+  if (entry_count_ > most_entries) {
+    std::vector<uint32_t> widest(entries.size());
+    std::iota(widest.begin(), widest.end(), 0u);
+    std::stable_sort(widest.begin(), widest.end(), [&](uint32_t a, uint32_t b) { return entries[a] > entries[b]; });
+    for (const uint32_t i : widest)
+      if (entry_count_ > most_entries && listed_[i]) read_by_all(i);
+  }
+  std::sort(everywhere_.begin(), everywhere_.end());
+}
+
+void LightClusters::fill() {
+  const uint32_t no_light = grid_.light_count;
+  const uint32_t heads = static_cast<uint32_t>(tiles_.size()), clusters = static_cast<uint32_t>(clusters_.size());
+  uint32_t texel = heads + clusters;
+  words_.assign(kTexel * texel, 0);
+  for (uint32_t t = 0; t < heads; ++t) {
+    words_[kTexel * t] = heads + tiles_[t].first_cluster;
+    words_[kTexel * t + 1] = static_cast<uint32_t>(tiles_[t].first_slice);
+    words_[kTexel * t + 2] = static_cast<uint32_t>(tiles_[t].slices);
+  }
+  // No two bands have a cluster in common.
+  const auto each_entry = [&](auto use) {
+    on_threads(static_cast<int>(bands_.size()), [&](int band) {
+      for (const Entry& e : bands_[static_cast<size_t>(band)].found())
+        if (listed_[e.reach]) use(kTexel * (heads + e.cluster), grid_.reaches[e.reach].light);
+    });
+  };
+  each_entry([&](uint32_t head, uint32_t) { ++words_[head + 1]; });
   const auto take = [&](size_t words) {
     return std::exchange(texel, texel + (static_cast<uint32_t>(words) + kTexel - 1) / kTexel);
   };
-  for (uint32_t head = 0; head < kTexel * kClusterCount; head += kTexel)
+  for (uint32_t head = kTexel * heads; head < kTexel * (heads + clusters); head += kTexel)
     words_[head] = take(words_[head + 1]), words_[head + 2] = kTexel * words_[head];  // 2: where the next entry goes
   everywhere_texel_ = take(everywhere_.size());
   words_.resize(kTexel * texel, no_light);
-  each_cell([&](uint32_t head, uint32_t light) { words_[words_[head + 2]++] = light; });
+  each_entry([&](uint32_t head, uint32_t light) { words_[words_[head + 2]++] = light; });
   std::copy(everywhere_.begin(), everywhere_.end(), words_.begin() + kTexel * everywhere_texel_);
 }
 
-std::span<const uint32_t> LightClusters::list(int cluster) const {
-  return words().subspan(4 * words_[4 * cluster], words_[4 * cluster + 1]);
-}
-
-int LightClusters::cluster_at(glm::dvec2 ndc, double depth) const {
-  const auto held = [](double x, int count) { return std::clamp(static_cast<int>(std::floor(x)), 0, count - 1); };
-  const int column = held((ndc.x + 1) / 2 * kClusters.x, kClusters.x);
-  const int row = held((ndc.y + 1) / 2 * kClusters.y, kClusters.y);
-  const int slice = held(std::log2(depth) * slice_scale_ + slice_offset_, kClusters.z);
-  return (slice * kClusters.y + row) * kClusters.x + column;
+std::span<const uint32_t> LightClusters::list(glm::ivec2 tile, int slice) const {
+  const Tile& t = tiles_[static_cast<size_t>(tile.y * grid_.tiles.x + tile.x)];
+  if (slice < t.first_slice || slice >= t.first_slice + t.slices) return {};
+  const size_t head = kTexel * (tiles_.size() + t.first_cluster + static_cast<size_t>(slice - t.first_slice));
+  return words().subspan(kTexel * words_[head], words_[head + 1]);
 }
 
 }  // namespace gbl

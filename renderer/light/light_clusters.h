@@ -1,65 +1,79 @@
 #pragma once
-// The view cut into columns, rows and slices, the slices logarithmic in depth, and for each of these clusters the
-// lights that reach into it. A cluster's list holds every light that reaches any of its points; clusters leave no gap.
+// For each cluster with surfaces in it, the lights that reach into it. Olsson, Billeter and Assarsson 2012, "Clustered
+// Deferred and Forward Shading": what holds no surface needs no list, and what does is no larger than its surfaces.
+// A list holds every light that reaches any point that is seen of its cluster.
 #include <cstdint>
-#include <glm/glm.hpp>
 #include <span>
 #include <vector>
 
-#include "renderer/scene/camera.h"
-#include "renderer/scene/scene.h"
+#include "renderer/light/cluster_grid.h"
 
 namespace gbl {
 
-inline constexpr glm::ivec3 kClusters{32, 18, 24};
-inline constexpr int kClusterCount = kClusters.x * kClusters.y * kClusters.z;
-
-// No more entries in all lists together than this (32 MiB). A light beyond it is not dropped: everywhere() takes it.
-inline constexpr uint32_t kMostClusterEntries = 1u << 23;
+// No more entries in all lists together than this (16 MiB). A light beyond it is not dropped: everywhere() takes it.
+inline constexpr uint32_t kMostClusterEntries = 1u << 22;
 
 class LightClusters {
  public:
-  // A pure function of its arguments; only the memory of the build before is used again.
-  void build(const Camera&, double aspect, std::span<const Light>, uint32_t most_entries = kMostClusterEntries);
+  // A pure function of its arguments; only the memory of the build before is used again. `blocks`: what is seen of the
+  // picture's blocks, row by row from the bottom, kSpans of each. False if nothing has changed since the build before.
+  bool build(const ClusterGrid&, std::span<const DepthSpan> blocks, uint32_t most_entries = kMostClusterEntries);
+  void forget();  // the next build changes everything
 
-  // What the shader reads, in texels of four words: per cluster one of them, with the texel where its list starts and how
-  // long it is; then the lists, each in the lights' own order and filled up with the number of lights.
+  // What the shader reads, in texels of four words: per tile one of them, with the texel of its first cluster, that one's
+  // slice and how many slices follow it; per cluster one, with the texel where its list starts and how long it is; then the lists, each
+  // in the lights' own order and filled up with `no_light`.
   std::span<const uint32_t> words() const { return words_; }
-  std::span<const uint32_t> list(int cluster) const;
+  size_t cluster_count() const { return clusters_.size(); }
+  std::span<const uint32_t> list(glm::ivec2 tile, int slice) const;  // empty where no surface was said to be
+  size_t entry_count() const { return entry_count_; }
 
-  // The list that every pixel reads beside its cluster's: lights without end, lights that reach more than half of the
-  // clusters, and the widest of the others while the lists together would be too long.
+  // The list that every pixel reads beside its cluster's: the grid's, lights that reach nearly all of the clusters, and
+  // the widest of the others while the lists together would be too long.
   std::span<const uint32_t> everywhere() const { return everywhere_; }
   uint32_t everywhere_texel() const { return everywhere_texel_; }
 
-  // slice = floor(log2(depth) * slice_scale + slice_offset), held within 0 … kClusters.z - 1.
-  double slice_scale() const { return slice_scale_; }
-  double slice_offset() const { return slice_offset_; }
-
-  // Index of the cluster of a point on screen: the arithmetic of shaders/light_clustered.frag.
-  int cluster_at(glm::dvec2 ndc, double depth) const;
+  const ClusterGrid& grid() const { return grid_; }
 
  private:
-  struct Cells {  // columns first … last of one row of one slice
-    uint16_t row;
-    uint8_t first, last;
+  struct Tile {
+    uint32_t first_cluster = 0;
+    int first_slice = 0, slices = 0;
   };
-  struct Listed {  // a light with its part of cells_
-    uint32_t light, begin, end, entries;
+  struct Entry {
+    uint32_t cluster, reach;  // index into grid_.reaches
   };
-  class View;
+  // Some rows of tiles, which one thread works on.
+  struct Band {
+    int first_row = 0, end_row = 0;
+    std::vector<Entry> entries;  // the first `count`; the rest is room
+    size_t count = 0;
+    std::vector<uint32_t> of_reach;  // how many entries each has
+    std::span<const Entry> found() const { return std::span(entries).first(count); }
+  };
 
-  void find_slices(const View&, std::span<const Light>);
-  bool find_cells(const View&, const glm::dvec3& centre, double radius);
-  void add(const View&, const Light&, uint32_t index);
-  void keep_within(uint32_t most_entries);
-  void fill(uint32_t no_light);
+  void find_clusters();
+  void find_clusters(glm::ivec2 tile);
+  int slice_at(float depth, float off) const;
+  int first_slice(const DepthSpan&) const;
+  int last_slice(const DepthSpan&) const;
+  void find_entries(Band&) const;
+  void find_entries(Band&, uint32_t reach) const;
+  void choose_everywhere(uint32_t most_entries);
+  void fill();
 
-  double slice_scale_ = 0, slice_offset_ = 0;
+  ClusterGrid grid_;
+  std::vector<DepthSpan> blocks_;
+  uint32_t most_entries_ = 0;
+  bool built_ = false;
+
+  std::vector<Tile> tiles_;
+  std::vector<uint64_t> with_surfaces_;  // of each tile, a bit for each slice
+  std::vector<DepthSpan> clusters_;
   uint32_t everywhere_texel_ = 0;
-  std::vector<double> slice_starts_;
-  std::vector<Cells> cells_;
-  std::vector<Listed> listed_;
+  size_t entry_count_ = 0;
+  std::vector<Band> bands_;
+  std::vector<char> listed_;  // of each reach
   std::vector<uint32_t> everywhere_, words_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/threads.h"
 #include "renderer/truth/reference.h"
 #include "renderer/truth/visible_triangles.h"
 

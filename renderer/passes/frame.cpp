@@ -61,6 +61,12 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
   return report;
 }
 
+ListReport lists_of(const ClusterTargets& t) {
+  const ClusterGrid& grid = t.clusters.grid();
+  return {grid.tile_px, grid.light_px, t.clusters.entry_count(), static_cast<int>(t.clusters.everywhere().size()),
+          t.ms};
+}
+
 }  // namespace
 
 FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targets& targets) {
@@ -97,6 +103,8 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
     if (!targets.cut.nested) scope.emplace(targets.timers, pass.timer);
     report.draw_calls += pass.draw(frame);
   }
+  if (resolved->settings.lights.method == LightMethod::clustered && !resolved->lights.empty())
+    report.lists = lists_of(targets.clusters);
   return report;
 }
 

@@ -1,43 +1,85 @@
-// Lists of lights per cluster, built on the CPU once per frame, then one full-screen pass that reads them.
+// Lists of lights per cluster: a small pass finds where surfaces are, the CPU lists the lights that reach them, and one
+// full-screen pass reads the lists. The CPU waits for the first pass.
 #include <algorithm>
+#include <bit>
+#include <chrono>
 
 #include "renderer/gl/device.h"
+#include "renderer/gl/readback.h"
 #include "renderer/passes/lighting.h"
 
 namespace gbl {
 namespace {
 
+class Stopwatch {
+ public:
+  double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - begun_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begun_ = Clock::now();
+};
+
 // As many as a buffer of this driver holds; lights beyond them are read by every pixel.
-uint32_t most_entries(size_t lights) {
-  constexpr size_t kWords = 4, kFilledUp = (kWords - 1) * kClusterCount;  // at most, at the lists' ends
+uint32_t most_entries(const ClusterGrid& grid) {
+  constexpr size_t kWords = 4;
+  const size_t heads = static_cast<size_t>(grid.tile_count() * (1 + grid.slices)), filled_up = (kWords - 1) * heads;
   const size_t words = kWords * gl::device().max_buffer_texels,
-               taken = kWords * kClusterCount + kFilledUp + lights + kWords;
+               taken = kWords * heads + filled_up + grid.light_count + kWords;
   return static_cast<uint32_t>(std::min<size_t>(kMostClusterEntries, words - std::min(words, taken)));
+}
+
+void draw_depths(Frame& frame, const ClusterGrid& grid, const Canvas& into) {
+  begin_drawing(into.framebuffer, into.texture.size, {});
+  bind_gbuffer(frame);
+  gl::Defines defines = frame.defines();
+  defines.push_back({"BLOCK", kBlock});
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "block_depths.frag", defines);
+  glUseProgram(program.id());
+  glUniform1f(program.uniform("end_of_reach"), grid.end_of_reach());
+  frame.shapes.draw_fullscreen();
+}
+
+// Of each block. They are not looked at where no light would be listed.
+std::vector<DepthSpan> seen_depths(Frame& frame, const ClusterGrid& grid) {
+  if (grid.reaches.empty()) return std::vector<DepthSpan>(kSpans * static_cast<size_t>(grid.blocks.x * grid.blocks.y));
+  std::optional<Canvas>& depths = frame.targets().clusters.depths;
+  if (!depths || depths->texture.size != grid.blocks)
+    depths = make_canvas({.size = grid.blocks, .format = Format::rgba32f, .label = "block depths"});
+  draw_depths(frame, grid, *depths);
+  const std::vector<float> read = gl::read_rgba32f(depths->texture);
+  std::vector<DepthSpan> spans;
+  for (size_t i = 0; i < read.size(); i += 2) spans.push_back({read[i], read[i + 1]});
+  return spans;
 }
 
 }  // namespace
 
 void prepare_clusters(Frame& frame) {
-  Uploads& up = frame.targets().uploads;
-  up.clusters.build(frame.settings.camera, frame.resolved.aspect, frame.lights(), most_entries(frame.lights().size()));
-  const std::span<const uint32_t> words = up.clusters.words();
-  gl::write_texels(up.light_lists, Format::rgba32ui, words.data(), words.size() / 4, "light lists");
+  ClusterTargets& t = frame.targets().clusters;
+  const Stopwatch cutting;
+  const ClusterGrid grid = cut_for(frame.settings.camera, frame.settings.size, frame.lights());
+  const double cut_ms = cutting.ms();
+  const std::vector<DepthSpan> seen = seen_depths(frame, grid);
+  const Stopwatch listing;
+  if (!t.clusters.build(grid, seen, most_entries(grid))) return;
+  const std::span<const uint32_t> words = t.clusters.words();
+  gl::write_texels(t.lists, Format::rgba32ui, words.data(), words.size() / 4, "light lists");
+  t.ms = cut_ms + listing.ms();
 }
 
 int draw_clustered_lights(const LightingPass& pass) {
   const Frame& frame = pass.frame;
-  const LightClusters& clusters = frame.targets().uploads.clusters;
-  gl::Defines defines = pass.defines();
-  defines.push_back({"CLUSTER_COLUMNS", kClusters.x});
-  defines.push_back({"CLUSTER_ROWS", kClusters.y});
-  defines.push_back({"CLUSTER_SLICES", kClusters.z});
-  const gl::Program& program = frame.programs.get("fullscreen.vert", "light_clustered.frag", defines);
+  const LightClusters& clusters = frame.targets().clusters.clusters;
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "light_clustered.frag", pass.defines());
   glUseProgram(program.id());
-  glUniform2f(program.uniform("slices"), static_cast<float>(clusters.slice_scale()),
-              static_cast<float>(clusters.slice_offset()));
+  const ClusterGrid& grid = clusters.grid();
+  glUniform3i(program.uniform("cuts"), std::countr_zero(static_cast<unsigned>(grid.tile_px)), grid.tiles.x,
+              grid.slices);
+  glUniform2f(program.uniform("slices"), static_cast<float>(grid.slice_scale), static_cast<float>(grid.slice_offset));
   glUniform2i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_texel()),
               static_cast<int>(clusters.everywhere().size()));
-  gl::bind_texels("light_lists", frame.targets().uploads.light_lists);
+  gl::bind_texels("light_lists", frame.targets().clusters.lists);
   frame.shapes.draw_fullscreen();
   return 1;
 }

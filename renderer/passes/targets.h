@@ -21,8 +21,6 @@ namespace gbl {
 struct Uploads {
   gl::Buffer frame_block;
   gl::TexelBuffer light_data, light_traits, instance_data;
-  gl::TexelBuffer light_lists;           // of the clustered method …
-  LightClusters clusters;                // … and what they were made from
   std::vector<glm::vec4> record_texels;  // scratch, kept so that a steady frame allocates nothing
 };
 
@@ -52,6 +50,14 @@ struct ShadowTargets {
   std::vector<ShadowMap> held;
   int tessellation = 0;  // Tessellation::made() then
   int reloads = 0;       // ProgramCache::reloads() then
+};
+
+// Of the clustered method: what is seen of the picture's tiles, and their lists.
+struct ClusterTargets {
+  std::optional<Canvas> depths;  // TileDepths, a block of pixels each
+  LightClusters clusters;
+  gl::TexelBuffer lists;
+  double ms = 0;  // of the CPU, to cut the view and to list and upload, when that was last done
 };
 
 struct Targets;
@@ -85,6 +91,7 @@ struct Targets {
   Tessellation tessellation;
   ShadowTargets shadows;
   MirrorTargets mirrors;
+  ClusterTargets clusters;
   Cut cut;
   gl::PassTimers timers;
   ReadBacks reads;

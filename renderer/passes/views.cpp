@@ -78,7 +78,8 @@ gl::Defines view_defines(const Frame& frame, View view, int as) {
 glm::vec2 cells_per_pixel(const Frame& frame) {
   switch (frame.settings.lights.method) {
     case LightMethod::tiled: return glm::vec2(1.0f / kTile);
-    case LightMethod::clustered: return glm::vec2(kClusters) / glm::vec2(frame.settings.size);
+    case LightMethod::clustered:
+      return glm::vec2(1.0f / static_cast<float>(frame.targets().clusters.clusters.grid().tile_px));
     default: return glm::vec2(0);
   }
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <utility>
 
+#include "renderer/base/threads.h"
 #include "renderer/truth/texture_levels.h"
 
 namespace gbl {
@@ -174,10 +174,7 @@ std::vector<glm::vec4> uvs_moved(const HeightFields& fields, const Settings& s, 
         out[i] = glm::vec4(glm::vec2(sunk.uv_moved), 0, 0);
       }
   };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work, i);
-  work(0);
-  for (std::thread& t : others) t.join();
+  on_threads(threads, work);
   return out;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <thread>
 
+#include "renderer/base/threads.h"
 #include "renderer/truth/ties.h"
 
 namespace gbl {
@@ -69,7 +69,7 @@ void Reference::work_row(int y) {
 }
 
 bool Reference::run(int threads, const std::atomic<bool>* cancel) {
-  const auto work = [&] {
+  const auto work = [&](int) {
     while (!(cancel && *cancel)) {
       const int y = next_row_++;
       if (y >= settings_.size.y) return;
@@ -77,10 +77,7 @@ bool Reference::run(int threads, const std::atomic<bool>* cancel) {
       ++rows_done_;
     }
   };
-  std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back(work);
-  work();
-  for (std::thread& t : others) t.join();
+  on_threads(threads, work);
   return rows_done_ == settings_.size.y;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
+#include "renderer/base/threads.h"
 #include "renderer/picture/srgb.h"
 #include "renderer/reflection/mirrors.h"
 #include "renderer/truth/texture_at.h"
@@ -178,13 +178,10 @@ template <class Of>
 auto in_bands(const Settings& s, const Scene& scene, bool back_faces_too, glm::dvec2 aside_px, Of of) {
   const int count = std::min(all_processors(), s.size.y);
   std::vector<decltype(of(std::declval<Band&>()))> parts(static_cast<size_t>(count));
-  std::vector<std::thread> threads;
-  for (int k = 0; k < count; ++k)
-    threads.emplace_back([&, k] {
-      Band band(s, scene, back_faces_too, aside_px, s.size.y * k / count, s.size.y * (k + 1) / count);
-      parts[static_cast<size_t>(k)] = of(band);
-    });
-  for (std::thread& t : threads) t.join();
+  on_threads(count, [&](int k) {
+    Band band(s, scene, back_faces_too, aside_px, s.size.y * k / count, s.size.y * (k + 1) / count);
+    parts[static_cast<size_t>(k)] = of(band);
+  });
   for (size_t k = 1; k < parts.size(); ++k) {
     parts[0].insert(parts[0].end(), parts[k].begin(), parts[k].end());
     parts[k] = {};
@@ -217,8 +214,6 @@ SeenTexel texel_of(const Hit& hit, const Scene& scene, Colour colour) {
 }
 
 }  // namespace
-
-int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 bool sees_surface(const Settings& s, const Scene& scene, bool back_faces_too) {
   const std::vector<Hit> hits = hits_of(s, scene, back_faces_too);

@@ -7,9 +7,6 @@
 
 namespace gbl {
 
-// Threads to use when nothing else is to be kept running.
-int all_processors();
-
 // size.x * size.y of the settings, rows top to bottom. Textures are read at their nearest texel, without a normal map:
 // good enough to meter a scene by, not for a reference. Without textures only the triangles are told.
 std::vector<SeenTexel> visible_triangles(const Settings&, const Scene&, bool with_textures = true);

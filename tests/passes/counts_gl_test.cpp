@@ -77,6 +77,29 @@ TEST_F(Counts, VolumesShadeAtLeastThePairsInRangeAndLessThanAll) {
   }
 }
 
+// What is tested for each pair that is lit: no more than twice where a light is four tiles wide, and where it is smaller
+// what a square of tiles over a square light would read, and a third more (tests/light/light_clusters_test.cpp).
+TEST_F(Counts, ClustersTestFewMoreLightsThanReachAPixel) {
+  for (const char* name : {"builtin:hall", "builtin:terrain", "builtin:city"}) {
+    const GpuScene scene(std::make_shared<const Scene>(load_scene(name)));
+    Stage stage(scene);
+    for (const int lights : {64, 1024}) {
+      Settings s = settings_for(scene, {640, 360});
+      s.lights.method = LightMethod::clustered;
+      s.lights.count = lights;
+      const std::optional<ListReport> lists = stage.draw(s).lists;
+      const PairCounts pairs = stage.pairs(s);
+      ASSERT_TRUE(lists.has_value());
+      const double tiles = lists->light_px / lists->tile_px;
+      const double most = tiles >= 4 ? 2 : 1.3 * std::pow(1 + 1 / tiles, 2);
+      ASSERT_GT(pairs.lit.value(), 5000u) << name;
+      EXPECT_EQ(pairs.shaded, pairs.lit.value()) << name << " " << lights;
+      EXPECT_LE(double(pairs.tested), most * double(pairs.lit.value())) << name << " " << lights << ", " << tiles;
+      EXPECT_GT(lists->entries, 0u);
+    }
+  }
+}
+
 // The lighting's draws: all but those of a frame without lights.
 int lighting_draws(Stage& stage, Settings s) {
   const int all = stage.draw(s).draw_calls;

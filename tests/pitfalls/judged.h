@@ -2,6 +2,7 @@
 // Failures are judged by the reference in double precision, the broken settings and the fixed ones alike: a failure that
 // both share, or a code path that has gone wrong in both, is not hidden by comparing them with each other.
 #include "app/truth_keeper.h"
+#include "renderer/base/threads.h"
 #include "renderer/truth/measure.h"
 #include "tests/gl_fixture.h"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/truth_keeper.h"
+#include "renderer/base/threads.h"
 #include "renderer/gbuffer/normal_encoding.h"
 #include "renderer/opening/scene_look.h"
 #include "tests/test_paths.h"

@@ -29,6 +29,7 @@ StudyColumn column_of(const ErrorColumn& e) {
 
 #define FRAME(expr) .of_frame = [](const FrameReport& r, const Machine&) -> ColumnValue { return expr; }
 #define PAIRS(expr) FRAME(r.pairs ? ColumnValue(expr) : ColumnValue())
+#define LISTS(expr) FRAME(r.lists ? ColumnValue(expr) : ColumnValue())
 #define MACHINE(member) .of_frame = [](const FrameReport&, const Machine& m) -> ColumnValue { return m.member; }
 
 // The times of every pass are in the rows, whatever the passes are; those with a row here can be on an axis.
@@ -53,6 +54,11 @@ const StudyColumn kCosts[] = {
     {.id = "pairs_shaded", .label = "pairs of pixel and light shaded", .axis = Axis::cost, .place = 6, PAIRS(Number(r.pairs->shaded))},
     {.id = "pairs_lit", PAIRS(or_empty(r.pairs->lit))},
     {.id = "shaded_per_lit", .label = "pairs shaded for each one that is lit", .axis = Axis::cost, .place = 8, .numerator = "pairs_shaded", .denominator = "pairs_lit"},
+    {.id = "tested_per_lit", .label = "pairs tested for each one that is lit", .axis = Axis::cost, .place = 10, .numerator = "pairs_tested", .denominator = "pairs_lit"},
+    {.id = "tile_px", .unit = "pixels", LISTS(r.lists->tile_px)},
+    {.id = "light_px", .unit = "pixels", LISTS(r.lists->light_px)},
+    {.id = "list_entries", LISTS(Number(r.lists->entries))},
+    {.id = "lists_ms", .unit = "ms", LISTS(r.lists->ms)},
     {.id = "bytes_per_pixel", .unit = "bytes per pixel", .label = "G-buffer", .axis = Axis::cost, .place = 3, FRAME(r.gbuffer_bytes_per_pixel)},
     {.id = "accumulation_bytes_per_pixel", .unit = "bytes per pixel", .label = "light targets", .axis = Axis::cost, .place = 4, FRAME(r.accumulation_bytes_per_pixel)},
     {.id = "mib", .unit = "MiB", .label = "all targets of a frame", .axis = Axis::cost, .place = 5, FRAME(r.mib)},
@@ -62,6 +68,7 @@ const StudyColumn kCosts[] = {
 };
 // clang-format on
 #undef MACHINE
+#undef LISTS
 #undef PAIRS
 #undef FRAME
 

@@ -1,0 +1,171 @@
+#include "renderer/light/cluster_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/threads.h"
+#include "renderer/light/light_volume.h"
+
+namespace gbl {
+namespace {
+
+// Added to a radius, relative to it and to the distance: positions and slices are computed in float on the GPU.
+constexpr double kFloatSlack = 1e-5;
+
+// What is nearer than this part of the farthest light is one slice: a tiny pyramid of space, in which few lights meet.
+// With slices down to the near plane, most of them would lie in a hand's breadth of air.
+constexpr double kNearestPart = 0.03;
+
+// A light is tested as often as it should be only if it is a few tiles wide. Smaller tiles than these cost more than they spare.
+constexpr int kSmallTile = kBlock, kTile = 16, kLargestTile = 256;
+constexpr double kWideLight = 5;  // … times kTile, as the mean of those in view
+
+// Above so many pairs of a light and a tile under its outline, tiles are made larger: it is these that listing takes its
+// time for. Lights that overlap so many tiles are wide, so that little is lost.
+constexpr double kMostVisits = 2e6;
+
+struct View {
+  View(const Camera& c, double aspect) : camera(c), half(c.half_height(aspect) * glm::dvec2(aspect, 1)) {}
+
+  // Does the ball hold all that can be seen?
+  bool inside(const glm::dvec3& centre, double radius) const {
+    const double widest = camera.orthographic() ? 1 : camera.far;
+    if (radius < widest * half.x) return false;
+    for (const double depth : {camera.near, camera.far})
+      for (const double x : {-half.x, half.x})
+        for (const double y : {-half.y, half.y}) {
+          const double width = camera.orthographic() ? 1 : depth;
+          if (glm::distance(centre, {x * width, y * width, depth}) >= radius) return false;
+        }
+    return true;
+  }
+
+  const Camera& camera;
+  glm::dvec2 half;  // extents of the picture
+};
+
+Ball widened(const Camera& camera, const Light& light) {
+  const Ball ball = reach_of(light);
+  const double distance = glm::distance(ball.centre, camera.position);
+  return {ball.centre, ball.radius * (1 + kFloatSlack) + distance * kFloatSlack};
+}
+
+// False if nothing of it can be in view.
+bool find_pixels(const View& view, glm::ivec2 size, LightReach& r) {
+  const ScreenBounds b = clipped(view_bounds(view.camera, view.half, r.centre, r.radius));
+  if (b.empty() || r.centre.z - r.radius > view.camera.far) return false;
+  r.first_pixel = glm::min(glm::ivec2((b.from + 1.0) / 2.0 * glm::dvec2(size)), size - 1);
+  r.last_pixel = glm::min(glm::ivec2((b.to + 1.0) / 2.0 * glm::dvec2(size)), size - 1);
+  return true;
+}
+
+// Some of the lights, which one thread works on.
+struct Share {
+  std::vector<LightReach> reaches;
+  std::vector<uint32_t> everywhere;
+};
+
+void find_lights(const View& view, glm::ivec2 size, std::span<const Light> lights, size_t first, size_t end,
+                 Share& out) {
+  for (size_t i = first; i < end; ++i) {
+    LightReach r{.light = static_cast<uint32_t>(i)};
+    if (bounded(lights[i])) {
+      const Ball ball = widened(view.camera, lights[i]);
+      r.centre = view_of(view.camera, ball.centre), r.radius = ball.radius;
+    }
+    if (!bounded(lights[i]) || view.inside(r.centre, r.radius))
+      out.everywhere.push_back(r.light);
+    else if (find_pixels(view, size, r))
+      out.reaches.push_back(r);
+  }
+}
+
+void find_lights(const View& view, glm::ivec2 size, std::span<const Light> lights, ClusterGrid& grid) {
+  constexpr size_t kWorthAThread = 2000;  // lights: a thread starts in the time that so many take
+  const size_t count = lights.size() < kWorthAThread ? 1 : static_cast<size_t>(all_processors());
+  std::vector<Share> shares(count);
+  on_threads(static_cast<int>(count), [&](int k) {
+    const auto i = static_cast<size_t>(k);
+    find_lights(view, size, lights, lights.size() * i / count, lights.size() * (i + 1) / count, shares[i]);
+  });
+  for (const Share& s : shares) {
+    grid.reaches.insert(grid.reaches.end(), s.reaches.begin(), s.reaches.end());
+    grid.everywhere.insert(grid.everywhere.end(), s.everywhere.begin(), s.everywhere.end());
+  }
+}
+
+// From the nearest to the farthest point that any light reaches: elsewhere no list is needed.
+void find_slices(const Camera& camera, ClusterGrid& grid) {
+  double nearest = camera.far, farthest = camera.near;
+  for (const LightReach& r : grid.reaches) {
+    nearest = std::min(nearest, r.centre.z - r.radius);
+    farthest = std::max(farthest, r.centre.z + r.radius);
+  }
+  farthest = std::min(farthest, camera.far);
+  nearest = std::max({nearest, camera.near, farthest * kNearestPart});
+  const double octaves = std::max(1.0, std::log2(farthest / nearest));
+  grid.slices = std::min(kMostSlices, kMostSlices * kTile / grid.tile_px);
+  grid.slice_scale = grid.slices / octaves;
+  grid.slice_offset = -std::log2(nearest) * grid.slice_scale;
+  grid.slice_edges.assign(1, 0.0f);
+  for (int k = 1; k < grid.slices; ++k)
+    grid.slice_edges.push_back(static_cast<float>(std::exp2((k - grid.slice_offset) / grid.slice_scale)));
+  grid.slice_edges.push_back(static_cast<float>(farthest * (1 + kFloatSlack)));
+  const auto slice_of = [&](double depth) {
+    return depth > nearest ? std::min(grid.slices - 1, static_cast<int>(std::log2(depth / nearest) * grid.slice_scale))
+                           : 0;
+  };
+  for (LightReach& r : grid.reaches) {
+    // One to either side: where float arithmetic may see a border.
+    const int first = std::max(0, slice_of(r.centre.z - r.radius) - 1);
+    const int last = std::min(grid.slices - 1, slice_of(r.centre.z + r.radius) + 1);
+    r.slices = (~uint64_t{0} >> (63 - last)) & (~uint64_t{0} << first);
+  }
+}
+
+double visits(const ClusterGrid& grid, int tile) {
+  double sum = 0;
+  for (const LightReach& r : grid.reaches) {
+    const glm::dvec2 tiles = r.last_pixel / tile - r.first_pixel / tile + 1;
+    sum += tiles.x * tiles.y;
+  }
+  return sum;
+}
+
+// Of what is seen of it, the larger of width and height.
+double mean_light_px(const ClusterGrid& grid) {
+  double sum = 0;
+  for (const LightReach& r : grid.reaches)
+    sum += std::max(r.last_pixel.x - r.first_pixel.x, r.last_pixel.y - r.first_pixel.y) + 1;
+  return grid.reaches.empty() ? 0 : sum / double(grid.reaches.size());
+}
+
+int tile_for(const ClusterGrid& grid) {
+  int tile = grid.light_px < kWideLight * kTile ? kSmallTile : kTile;
+  while (tile < kLargestTile && visits(grid, tile) > kMostVisits) tile *= 2;
+  return tile;
+}
+
+std::vector<float> edges(int cells, int tile, int pixels, double half) {
+  std::vector<float> out;
+  for (int i = 0; i <= cells; ++i) out.push_back(static_cast<float>((2.0 * i * tile / pixels - 1) * half));
+  return out;
+}
+
+}  // namespace
+
+ClusterGrid cut_for(const Camera& camera, glm::ivec2 size, std::span<const Light> lights) {
+  const View view(camera, double(size.x) / size.y);
+  ClusterGrid grid{.orthographic = camera.orthographic(), .light_count = static_cast<uint32_t>(lights.size())};
+  find_lights(view, size, lights, grid);
+  grid.light_px = mean_light_px(grid);
+  grid.tile_px = grid.reaches.empty() ? kTile : tile_for(grid);
+  find_slices(camera, grid);
+  grid.tiles = (size + grid.tile_px - 1) / grid.tile_px;
+  grid.blocks = (size + kBlock - 1) / kBlock;
+  grid.column_edges = edges(grid.tiles.x, grid.tile_px, size.x, view.half.x);
+  grid.row_edges = edges(grid.tiles.y, grid.tile_px, size.y, view.half.y);
+  return grid;
+}
+
+}  // namespace gbl
