@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
 #include <future>
+#include <limits>
 #include <utility>
 
 #include "app/commands.h"
@@ -28,6 +29,8 @@ constexpr double kFrameSeconds = 1.0 / 60;  // pace while something happens
 constexpr double kMeasureSeconds = 0.001;   // pace of a study that nobody disturbs: each frame is a step of it
 constexpr double kQuietSeconds = 0.3;       // without a hand on the window before anything is measured beside it
 constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
+constexpr double kSettledSeconds = 1;       // after which nothing that was touched changes any more, tooltips included
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A user's layout file is read again when it is saved.
 class LayoutWatch {
@@ -101,8 +104,8 @@ class Loop {
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
     if (!a.pitfall.empty()) ui_.open_pitfall(a.pitfall, settings_);
     settings_.size = {800, 450};
-    ui::Requests first;  // something to show in the very first frame
-    first.visible.fill(true);
+    ui::Requests first;  // the picture is there at once; what else is visible is drawn when the window has asked for it
+    first.visible[static_cast<size_t>(view_by_id(settings_.view.main).view)] = true;
     lab_.open(settings_.scene);
     viewer_.update(settings_, first, false);
     say_trouble();
@@ -170,16 +173,29 @@ class Loop {
     return now;
   }
 
-  void say_trouble() {
-    if (const std::string trouble = keeper_.take_trouble(); !trouble.empty()) viewer_.fail(trouble);
+  // -> is there anything to say?
+  bool say_trouble() {
+    const std::string trouble = keeper_.take_trouble();
+    if (!trouble.empty()) viewer_.fail(trouble);
+    return !trouble.empty();
   }
 
-  void take_saved_layout() {
-    if (settings_.layout_file.empty()) return;
+  bool keep_session(double seconds) {
+    if (!keeper_.due(seconds)) return false;
+    keeper_.keep(session(), seconds);
+    return say_trouble();
+  }
+
+  // -> was it saved?
+  bool take_saved_layout() {
+    if (settings_.layout_file.empty()) return false;
     try {
-      if (const auto name = layout_watch_.saved(settings_.layout_file)) settings_.layout_file = *name;
+      const auto name = layout_watch_.saved(settings_.layout_file);
+      if (name) settings_.layout_file = *name;
+      return name.has_value();
     } catch (const Error& e) {
       viewer_.fail(e.what());  // the last good one goes on drawing
+      return true;
     }
   }
 
@@ -187,7 +203,8 @@ class Loop {
     window_.wait_events(pace());
     const glm::ivec2 size = window_.framebuffer_size();
     if (size.x == 0 || size.y == 0) return;  // minimised
-    if (window_.saw_input()) quiet_frames_ = 0;
+    if (window_.saw_input()) quiet_frames_ = 0, stirred_s_ = glfwGetTime();
+    if (resting()) return;
     ++quiet_frames_;
     ui::Input input = viewer_.input(glfwGetTime());
     input.full_screen = window_.full_screen();
@@ -215,13 +232,22 @@ class Loop {
     if (requests.figure) save(*requests.figure, size);
     if (requests.copy_command) copy_command();
     window_.swap();
-    wake_in_ = requests.wake_in.value_or(kIdleSeconds);
+    wakes_s_ = requests.wake_in ? glfwGetTime() + *requests.wake_in : kNever;
     if (requests.toggle_full_screen) toggle_full_screen();
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
-    if (keeper_.due(input.seconds)) keeper_.keep(session(), input.seconds), say_trouble();
+    keep_session(input.seconds);
+    if (viewer_.busy()) stirred_s_ = glfwGetTime();
+  }
+
+  // What is on the screen is drawn already, and nothing can change it but an event, a file that is saved, or the hour.
+  // Then only files are looked at, and no processor works for a window that nobody touches.
+  bool resting() {
+    const double now = glfwGetTime();
+    const bool settled = now - stirred_s_ > kSettledSeconds && now < wakes_s_ && !ImGui::GetIO().WantTextInput;
+    return settled && !viewer_.busy() && !viewer_.shaders_saved() && !keep_session(now) && !take_saved_layout();
   }
 
   void save(const ui::Figure& figure, glm::ivec2 size) {
@@ -249,7 +275,7 @@ class Loop {
   double pace() const {
     if (viewer_.measuring()) return kMeasureSeconds;
     if (viewer_.busy() || quiet_frames_ < 4) return kFrameSeconds;
-    return std::min(kIdleSeconds, wake_in_);
+    return std::clamp(wakes_s_ - glfwGetTime(), 0.0, kIdleSeconds);
   }
 
   Window& window_;
@@ -266,7 +292,8 @@ class Loop {
   LayoutWatch layout_watch_;
   int quiet_frames_ = 0;
   double touched_s_ = 0;
-  double wake_in_ = kIdleSeconds;
+  double stirred_s_ = 0;     // when anything happened last
+  double wakes_s_ = kNever;  // when the window changes by itself
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "app/stability_bench.h"
+
 #include "renderer/base/threads.h"
 
 namespace gbl {

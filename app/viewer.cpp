@@ -271,10 +271,11 @@ void Viewer::reload() {
   }
 }
 
+bool Viewer::shaders_saved() const { return shaders_ != 0 && shaders_stamp() != shaders_; }
+
 void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving) {
-  const long long stamp = shaders_stamp();
-  const bool saved = shaders_ != 0 && stamp != shaders_;
-  shaders_ = stamp;
+  const bool saved = shaders_saved();
+  shaders_ = shaders_stamp();
   if (saved || requests.reload_shaders) reload();
   const bool settled = moving_ && !moving;  // drawn again in full size, and counted
   moving_ = moving;

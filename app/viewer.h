@@ -44,6 +44,7 @@ class Viewer {
 
   // Is there more to come without any input: an answer under way, a smaller picture to be replaced, a study that runs?
   bool busy() const { return drawing() || measures_more(); }
+  bool shaders_saved() const;  // since they were read last
 
  private:
   bool drawing() const {

@@ -194,6 +194,8 @@ void WindowDesk::type(const std::string& text) {
   wait_until_at_rest();
 }
 
+double WindowDesk::computed_s() const { return static_cast<double>(activity_of(program_).computed_ns) * 1e-9; }
+
 int WindowDesk::close() {
   press("ctrl+x");
   int status = 0;

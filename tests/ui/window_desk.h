@@ -27,6 +27,7 @@ class WindowDesk {
 
   bool open() const { return !window_.empty(); }
   std::string why_not() const { return why_not_; }
+  double computed_s() const;                        // seconds of a processor that the program has used
   std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
   void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
