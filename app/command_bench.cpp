@@ -1,8 +1,10 @@
 // `bench`: a study of one row, printed.
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 #include "app/bench.h"
+#include "app/calibration.h"
 #include "app/commands.h"
 #include "app/headless.h"
 #include "app/lab.h"
@@ -111,12 +113,18 @@ ExitCode run_against(const Arguments& a) {
   return ExitCode::done;
 }
 
-// Every light reaches all of the picture; unless another scene is asked for, all of it is wall.
-Arguments with_pairs(Arguments a) {
+// Unless another scene is asked for, one that is all wall.
+Arguments of_own_choice(Arguments a, const char* flag) {
   if (!a.against.empty() || a.frames || a.lights || a.no_truth)
-    throw Error(ExitCode::bad_input, "--micro", "it chooses its own frames, lights and set-ups, and measures no error",
+    throw Error(ExitCode::bad_input, flag, "it chooses its own frames, lights and set-ups, and measures no error",
                 "leave out --against, --frames, --lights and --no-truth");
   if (!a.scene) a.scene = "builtin:hall";
+  return a;
+}
+
+// Every light reaches all of the picture.
+Arguments with_pairs(Arguments a) {
+  a = of_own_choice(std::move(a), "--micro");
   a.set.insert(a.set.begin(), "lights.range-scale=1000");
   return a;
 }
@@ -146,9 +154,44 @@ ExitCode run_micro(const Arguments& a) {
   return ExitCode::done;
 }
 
+ExitCode run_calibrate(const Arguments& a) {
+  const std::optional<std::filesystem::path> file = calibration_file();
+  if (!file)
+    throw Error(ExitCode::unfinished, "--calibrate", "neither XDG_STATE_HOME nor HOME names a folder to keep it in",
+                "set XDG_STATE_HOME");
+  const auto [s, scene] = setup_of(of_own_choice(a, "--calibrate"));
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  if (scene) lab.show(s.scene, scene);
+  lab.open(s.scene);
+  const std::vector<MeasuredWork> measured = measure_work(lab.renderer(), *lab.gpu_scene(), s, lab.limits());
+  if (measured.empty())
+    throw Error(ExitCode::unfinished, "--calibrate", "no pass took a time that this driver can measure",
+                "choose a larger --size");
+  const WorkWeights weights = fit_weights(measured);
+  keep_calibration(*file, lab.device(), weights);
+  const double off = median_misfit(measured, weights);
+  if (a.json) {
+    Json json{{"device", lab.device().renderer}, {"set_ups", measured.size()}, {"median_misfit", off}};
+    json["ns_per_unit"] = weights.ns_per_unit;
+    for (const WorkRow& r : kWork) json["units"][r.id] = weights.units[r.work];
+    fmt::print("{}\n", json.dump(2));
+    return ExitCode::done;
+  }
+  fmt::print("{}\n{} set-ups; half of the predictions are within {:.0f} % of their times; a turn takes {:.3g} ns\n\n",
+             lab.device().renderer, measured.size(), 100 * off, weights.ns_per_unit);
+  fmt::print("{:<14} {:>9} {:>9}  units, as built in and here, of a …\n", "work", "llvmpipe", "here");
+  for (const WorkRow& r : kWork)
+    fmt::print("{:<14} {:>9.4g} {:>9.4g}  {}\n", r.id, r.llvmpipe, weights.units[r.work], r.counts);
+  fmt::print("\nkept in {}\n", file->string());
+  return ExitCode::done;
+}
+
 }  // namespace
 
 ExitCode run_bench(const Arguments& a) {
+  if (a.micro && a.calibrate) throw Error(ExitCode::bad_input, "--calibrate", "is another run than --micro");
+  if (a.calibrate) return run_calibrate(a);
   if (a.micro) return run_micro(a);
   if (!a.against.empty()) return run_against(a);
   const auto [s, scene] = setup_of(a);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "app/calibration.h"
 #include "app/commands.h"
 #include "app/headless.h"
 #include "renderer/base/json.h"
@@ -26,6 +27,12 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
   j["rounding"] = {{"rgba16f_store", gl::label(rounding.half_store)},
                    {"rgba16f_blend", gl::label(rounding.half_blend)},
                    {"r11g11b10f_store", gl::label(rounding.r11_store)}};
+  std::string trouble;
+  const WorkWeights weights = weights_for(calibration_file(), d, trouble);
+  j["method_choice"] = !trouble.empty()           ? trouble
+                       : weights.guessed          ? "a guess: measured with llvmpipe (bench --calibrate measures here)"
+                       : weights.ns_per_unit == 0 ? "measured with llvmpipe"
+                                                  : "measured on this device";
   j["gltf_limits"] = Json::array();
   for (const GltfLimit& l : gltf_limits())
     j["gltf_limits"].push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
@@ -58,6 +65,7 @@ ExitCode run_info(const Arguments& a) {
              d.max_draw_buffers, kMaxLights, d.time_query_bits);
   fmt::print("rounding      RGBA16F store {}, blend {}; R11G11B10F store {}\n", gl::label(rounding.half_store),
              gl::label(rounding.half_blend), gl::label(rounding.r11_store));
+  fmt::print("auto methods  {}\n", j["method_choice"].get<std::string>());
   for (const Json& f : j["features"])
     fmt::print("{:<13} {}  {}\n", f["id"].get<std::string>(),
                f["available"].get<bool>() ? "yes" : "no: " + f["reason"].get<std::string>(),

@@ -1,7 +1,9 @@
 #include "app/lab.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
+#include "app/calibration.h"
 #include "renderer/base/threads.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/passes/float_rows.h"
@@ -9,8 +11,22 @@
 
 namespace gbl {
 
+namespace {
+
+// Weighed as on this device from its first frame on.
+gl::Device weighed(gl::Device device) {
+  std::string trouble;
+  use_work_weights(weights_for(calibration_file(), device, trouble));
+  if (!trouble.empty()) fmt::print(stderr, "gbufferlab: {}\n", trouble);
+  return device;
+}
+
+}  // namespace
+
 Lab::Lab(FeatureSet without)
-    : device_(gl::probe_device(without)), cost_(device_.software), truths_(1, std::max(1, all_processors() - 1)) {}
+    : device_(weighed(gl::probe_device(without))),
+      cost_(device_.software),
+      truths_(1, std::max(1, all_processors() - 1)) {}
 
 void Lab::open(const std::string& name) {
   if (name != scene_name_) show(name, open_scene(name));

@@ -1,12 +1,9 @@
 #include "app/session_keeper.h"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <utility>
 
+#include "app/state_folder.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 
@@ -16,21 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPauseSeconds = 5;  // between two writings: what a crash may lose
-
-std::optional<fs::path> folder_in(const char* variable) {
-  const char* value = std::getenv(variable);
-  if (!value || value[0] != '/') return {};  // a relative path is invalid, and to be ignored: XDG base directories
-  return fs::path(value);
-}
-
-// With the rights that the XDG base directories ask for.
-void make_private_folder(const fs::path& folder) {
-  if (folder.empty() || fs::is_directory(folder)) return;
-  make_private_folder(folder.parent_path());
-  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
-    throw Error(ExitCode::unfinished, folder.string(), fmt::format("cannot be made: {}", std::strerror(errno)),
-                "set XDG_STATE_HOME to a folder that can be written");
-}
 
 Session read_session(const fs::path& file) {
   std::error_code error;
@@ -43,12 +25,8 @@ Session read_session(const fs::path& file) {
 }  // namespace
 
 std::optional<fs::path> session_file() {
-  std::optional<fs::path> folder = folder_in("XDG_STATE_HOME");
-  if (!folder) {
-    folder = folder_in("HOME");
-    if (folder) *folder /= ".local/state";
-  }
-  if (folder) *folder /= "gbufferlab/session.json";
+  std::optional<fs::path> folder = state_folder();
+  if (folder) *folder /= "session.json";
   return folder;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "renderer/frame/method_choice.h"
 #include "renderer/frame/resolved_frame.h"
@@ -11,25 +13,6 @@
 
 namespace gbl {
 namespace {
-
-// What the parts of the methods cost, in units of one turn of the full-screen loop: a light's record read, its distance
-// taken, and its shading if it is in range, four lights at once. Measured with llvmpipe on two cores in the hall, 16 to
-// 16 384 lights, from local ones to all that reach all: the turn took 1.7 to 2 ns.
-constexpr double kPixel = 6;         // a full-screen pass reads the G-buffer and writes its sums
-constexpr double kSecondTest = 0.1;  // of a distance that shade() tests again
-constexpr double kFindCluster = 6;   // a pixel's depth is looked at, and it looks up where its list is
-constexpr double kListed = 1.3;      // a turn of a loop whose lights come from a cluster's list
-constexpr double kMarked = 1.1;      // … and from a tile's bits
-constexpr double kFragment = 7.2;    // a pair with a fragment of its own: it reads the G-buffer, shades and blends
-constexpr double kMeshFragment = 9;  // … of a mesh: its small triangles leave blocks of pixels half used
-constexpr double kMark = 1;          // a fragment that is only tested against depth
-constexpr double kDraw = 2000;
-constexpr double kTriangle = 40;  // of a mesh
-constexpr double kQuad = 400;
-constexpr double kDisc = 3600;
-constexpr double kTileBatch = 7600;   // one tile tests 256 lights, with its barriers
-constexpr double kListedLight = 80;  // a light is put into lists, on the CPU
-constexpr double kListEntry = 25;
 
 // Of more lights than this only some are looked at: 16 384 took 20 to 40 ms, half a frame.
 constexpr size_t kMostLookedAt = 512;
@@ -118,53 +101,83 @@ LightsInView lights_in_view(const Settings& s, const std::vector<Light>& lights)
 
 namespace {
 
+// Pairs tested and shaded, and the rest of the work.
+LightWork work(double tested, double shaded, std::initializer_list<std::pair<Work, double>> parts) {
+  LightWork w{tested, shaded, {}, 0};
+  for (const auto& [kind, count] : parts) w.counts[kind] += count;
+  w.units = units_of(w.counts, work_weights());
+  return w;
+}
+
 LightWork fullscreen(const LightsInView& v) {
   const double pairs = v.pixels * v.lights;
-  return {pairs, pairs, kPixel * v.pixels + pairs};
+  return work(pairs, pairs, {{Work::pixel, v.pixels}, {Work::turn, pairs}});
 }
 
 LightWork fullscreen_radius(const LightsInView& v) {
   const double pairs = v.pixels * v.lights;
-  return {pairs, v.reached, kPixel * v.pixels + pairs + kSecondTest * v.reached};
+  return work(pairs, v.reached, {{Work::pixel, v.pixels}, {Work::turn, pairs}, {Work::second_test, v.reached}});
 }
+
+double triangles(const LightsInView& v) { return v.lights * v.volume_triangles; }
 
 // Every fragment is a pair that is read and shaded.
-LightWork blended(double fragments, double each, double setup) {
-  return {fragments, fragments, each * fragments + setup};
-}
-
 LightWork volumes(const LightsInView& v) {
-  return blended(v.under_volumes, kMeshFragment, v.lights * (kDraw + kTriangle * v.volume_triangles));
+  const double fragments = v.under_volumes;
+  return work(fragments, fragments,
+              {{Work::cleared, v.pixels},
+               {Work::mesh_fragment, fragments},
+               {Work::draw, v.lights},
+               {Work::triangle, triangles(v)}});
 }
 LightWork volumes_instanced(const LightsInView& v) {
-  return blended(v.under_volumes, kMeshFragment, 2 * kDraw + v.lights * kTriangle * v.volume_triangles);
+  const double fragments = v.under_volumes;
+  return work(
+      fragments, fragments,
+      {{Work::cleared, v.pixels}, {Work::mesh_fragment, fragments}, {Work::draw, 2}, {Work::triangle, triangles(v)}});
 }
 // Both faces of each volume are marked, and what is inside is shaded.
 LightWork volumes_stencil(const LightsInView& v) {
-  const double marks = 2 * kMark * v.under_volumes, setup = v.lights * (2 * kDraw + 5 * kTriangle * v.volume_triangles);
-  return {v.reached, v.reached, kFragment * v.reached + marks + setup};
+  return work(v.reached, v.reached,
+              {{Work::cleared, v.pixels},
+               {Work::fragment, v.reached},
+               {Work::mark, 2 * v.under_volumes},
+               {Work::draw, 2 * v.lights},
+               {Work::triangle, 5 * triangles(v)}});
 }
-LightWork quads(const LightsInView& v) { return blended(v.under_quads, kFragment, v.lights * kQuad); }
-LightWork discs(const LightsInView& v) { return blended(v.under_volumes, kMeshFragment, v.lights * kDisc); }
+LightWork quads(const LightsInView& v) {
+  return work(v.under_quads, v.under_quads,
+              {{Work::cleared, v.pixels}, {Work::fragment, v.under_quads}, {Work::quad, v.lights}});
+}
+LightWork discs(const LightsInView& v) {
+  return work(v.under_volumes, v.under_volumes,
+              {{Work::cleared, v.pixels}, {Work::mesh_fragment, v.under_volumes}, {Work::disc, v.lights}});
+}
 
 LightWork tiled(const LightsInView& v) {
   const double batches = std::ceil(v.lights / kBatch) * std::max(1.0, v.pixels / (kTile * kTile));
-  return {v.in_tiles, v.reached,
-          kPixel * v.pixels + kTileBatch * batches + kMarked * v.in_tiles + kSecondTest * v.reached};
+  return work(v.in_tiles, v.reached,
+              {{Work::pixel, v.pixels},
+               {Work::tile_batch, batches},
+               {Work::marked, v.in_tiles},
+               {Work::second_test, v.reached}});
 }
 
 LightWork clustered(const LightsInView& v) {
   const double entries = std::min<double>(kMostClusterEntries, 2.2 / (kTile * kTile) * v.in_clusters);
-  return {
-      v.in_clusters, v.reached,
-      (kPixel + kFindCluster) * v.pixels + kListedLight * v.lights + kListEntry * entries + kListed * v.in_clusters};
+  return work(v.in_clusters, v.reached,
+              {{Work::pixel, v.pixels},
+               {Work::cluster_pixel, v.pixels},
+               {Work::listed_light, v.lights},
+               {Work::list_entry, entries},
+               {Work::listed, v.in_clusters}});
 }
 
-struct WorkRow {
+struct WorkOfMethod {
   LightMethod method;
   LightWork (*work)(const LightsInView&);
 };
-constexpr WorkRow kWork[] = {
+constexpr WorkOfMethod kWorkOf[] = {
     {LightMethod::forward, fullscreen},  // hidden surfaces apart: nobody knows them yet
     {LightMethod::forward_prepass, fullscreen},
     {LightMethod::forward_multipass, fullscreen},
@@ -180,8 +193,8 @@ constexpr WorkRow kWork[] = {
     {LightMethod::clustered, clustered},
 };
 constexpr bool in_order() {
-  for (size_t i = 0; i < std::size(kWork); ++i)
-    if (kWork[i].method != static_cast<LightMethod>(i)) return false;
+  for (size_t i = 0; i < std::size(kWorkOf); ++i)
+    if (kWorkOf[i].method != static_cast<LightMethod>(i)) return false;
   return true;
 }
 static_assert(in_order());
@@ -189,15 +202,18 @@ static_assert(in_order());
 }  // namespace
 
 LightWork work_of(LightMethod method, const LightsInView& v) {
-  return v.lights > 0 ? kWork[static_cast<size_t>(method)].work(v) : LightWork{};
+  return v.lights > 0 ? kWorkOf[static_cast<size_t>(method)].work(v) : LightWork{};
 }
 
 double estimate_work(const Settings& s, const std::vector<Light>& lights) {
   return work_of(choose_method(s, lights, {}).method, lights_in_view(s, lights)).units;
 }
 
-// First guesses, kept only until the first frame: 2 ns is llvmpipe on two cores, 0.02 ns a small GPU.
-FrameCost::FrameCost(bool software) : ns_per_unit_(software ? 2 : 0.02), ns_per_pixel_(software ? 60 : 1) {}
+// First guesses where the device was not measured, kept only until the first frame: 2 ns is llvmpipe on two cores,
+// 0.02 ns a small GPU.
+FrameCost::FrameCost(bool software) : ns_per_unit_(software ? 2 : 0.02), ns_per_pixel_(software ? 60 : 1) {
+  if (work_weights().ns_per_unit > 0) ns_per_unit_ = work_weights().ns_per_unit;
+}
 
 void FrameCost::learn(double work, double lighting_ms) {
   if (work < 1e5 || !(lighting_ms > 0)) return;  // too little to learn from

@@ -3,6 +3,7 @@
 // 16 384 lights can take minutes on a software driver, and a window must not freeze for that.
 #include <vector>
 
+#include "renderer/frame/work_weights.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
 
@@ -25,7 +26,8 @@ LightsInView lights_in_view(const Settings&, const std::vector<Light>&);
 
 struct LightWork {
   double tested = 0, shaded = 0;  // pairs, as a frame report counts them
-  double units = 0;               // all work of the lighting pass, in turns of the full-screen loop
+  WorkCounts counts;              // all work of the lighting pass …
+  double units = 0;               // … and what it comes to, in turns of the full-screen loop
 };
 LightWork work_of(LightMethod, const LightsInView&);  // not of auto
 

@@ -49,7 +49,13 @@ std::string rounded(double pairs) {
 std::string reason_for(const Candidate& best, const Candidate& plain) {
   if (plain.work.shaded == 0) return "there is no light";
   if (best.method == plain.method) return "the lights reach so many pixels that leaving any out costs more";
+  if (best.work.tested > 0.95 * plain.work.tested) return "as many pairs as the plain loop, each at less cost";
   return fmt::format("about {} pairs tested instead of {}", rounded(best.work.tested), rounded(plain.work.tested));
+}
+
+// Work is weighed as on another device.
+std::string with_doubt(const std::string& reason) {
+  return work_weights().guessed ? reason + "; a guess: this device was not measured (bench --calibrate)" : reason;
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ MethodChoice choose_method(const Settings& s, const std::vector<Light>& lights, 
     const Candidate other = candidate(method);
     if (other.work.units < best.work.units && usable(s, method, features)) best = other;
   }
-  return {best.method, reason_for(best, plain)};
+  return {best.method, with_doubt(reason_for(best, plain))};
 }
 
 }  // namespace gbl

@@ -1,8 +1,12 @@
 // The command line's order and refusals, and the ways of `bench`.
+#include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
 
+#include "app/calibration.h"
 #include "app/commands.h"
+#include "app/headless.h"
 #include "renderer/base/json.h"
 
 namespace gbl {
@@ -83,7 +87,30 @@ TEST(CommandLine, BenchMicroHasARowForEachModelFalloffAndMethod) {
   EXPECT_GE(rows["lights.method"], 5) << "six where there are compute shaders";
 }
 
+// Into a folder of its own, so that no test beside this one chooses by it.
+TEST(CommandLine, BenchCalibrateMeasuresTheDeviceAndKeepsIt) {
+  const std::string before = std::getenv("XDG_STATE_HOME") ? std::getenv("XDG_STATE_HOME") : "/";
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "bench-calibrate";
+  std::filesystem::remove_all(folder);
+  setenv("XDG_STATE_HOME", folder.c_str(), 1);
+  const Json j = json_of_bench({"--calibrate", "--size", "64x36", "--scene", "builtin:yard"});
+  const std::filesystem::path file = calibration_file().value();
+  setenv("XDG_STATE_HOME", before.c_str(), 1);
+  EXPECT_GT(int(j["set_ups"]), 30);
+  EXPECT_GT(double(j["ns_per_unit"]), 0);
+  EXPECT_EQ(j["units"]["turn"], 1);
+  EXPECT_EQ(j["units"].size(), kWorkKinds);
+  const HeadlessContext context;
+  std::string trouble;
+  const WorkWeights kept = weights_for(file, gl::probe_device({}), trouble);
+  EXPECT_EQ(trouble, "");
+  EXPECT_EQ(kept.ns_per_unit, double(j["ns_per_unit"]));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(CommandLine, BenchRefusesWhatItWouldIgnore) {
+  EXPECT_NE(refused_by_bench({"--calibrate", "--frames", "3"}).find("--calibrate"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--calibrate", "--micro"}).find("--micro"), std::string::npos);
   EXPECT_NE(refused_by_bench({"--micro", "--lights", "3"}).find("--lights"), std::string::npos);
   EXPECT_NE(refused_by_bench({"--micro", "--against", "colour=srgb"}).find("--against"), std::string::npos);
   EXPECT_NE(refused_by_bench({"--against", "no.such=1"}).find("no.such"), std::string::npos);

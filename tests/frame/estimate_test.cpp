@@ -38,6 +38,8 @@ LightWork work_in(const Settings& s, const std::vector<Light>& some) {
   return work_of(s.lights.method, lights_in_view(s, some));
 }
 
+const double kPixel = llvmpipe_weights().units[Work::pixel];
+
 TEST(EstimateWork, FullScreenIsPixelsTimesLights) {
   for (const int count : {0, 1, 64, 16384}) {
     const Settings s = with(LightMethod::fullscreen, {640, 360}, count);
@@ -45,7 +47,7 @@ TEST(EstimateWork, FullScreenIsPixelsTimesLights) {
     EXPECT_EQ(work_in(s, lights(s)).shaded, pairs);
     EXPECT_EQ(work_in(s, lights(s)).tested, pairs);
     EXPECT_GE(work(s), pairs);
-    EXPECT_LE(work(s), pairs + (count > 0 ? 6 * 640.0 * 360 : 0));  // and the pass itself
+    EXPECT_LE(work(s), pairs + (count > 0 ? kPixel * 640.0 * 360 : 0));  // and the pass itself
   }
 }
 
@@ -127,7 +129,7 @@ TEST(FrameCost, LearnsFromFramesAndIgnoresEmptyOnes) {
   EXPECT_EQ(cost.predict_ms(resolved(s)), guess);
   const double pixels = 1280.0 * 720;
   for (int i = 0; i < 60; ++i) cost.learn(1e9, 20000);  // 20 ns a pair
-  EXPECT_NEAR(cost.predict_ms(resolved(s)), pixels * ((64 + 6) * 20 + 60) * 1e-6, 1e-6 * guess);
+  EXPECT_NEAR(cost.predict_ms(resolved(s)), pixels * ((64 + kPixel) * 20 + 60) * 1e-6, 1e-6 * guess);
   EXPECT_LT(FrameCost(false).predict_ms(resolved(s)), guess);
 }
 
