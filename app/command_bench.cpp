@@ -2,16 +2,21 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/bench.h"
 #include "app/calibration.h"
 #include "app/commands.h"
+#include "app/growth.h"
 #include "app/headless.h"
 #include "app/lab.h"
 #include "app/micro_bench.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/options/settings_json.h"
+#include "renderer/study/charts/gnuplot.h"
 #include "renderer/study/row_json.h"
+#include "renderer/study/rows/growth.h"
 #include "renderer/study/rows/paired_ratio.h"
 
 namespace gbl {
@@ -187,9 +192,66 @@ ExitCode run_calibrate(const Arguments& a) {
   return ExitCode::done;
 }
 
+std::string bend_of(const GrowthAxis& axis, const std::vector<GrowthPoint>& points) {
+  const std::optional<double> bend = growth_bend(points);
+  if (!bend) return fmt::format("hardly grows with the {}", axis.id);
+  return *bend == points.front().x ? fmt::format("goes with the {} from the beginning", axis.id)
+                                   : fmt::format("begins to go with the {} at {:.4g}", axis.id, *bend);
+}
+
+ExitCode run_growth(const Arguments& a) {
+  if (!a.against.empty() || a.micro || a.calibrate)
+    throw Error(ExitCode::bad_input, "--growth", "is another run than --against, --micro and --calibrate");
+  const GrowthAxis& axis = growth_axis(a.growth);
+  const auto [s, scene] = setup_of(a);
+  const HeadlessContext context;
+  Lab lab(without_of(a));
+  if (scene) lab.show(s.scene, scene);
+  lab.open(s.scene);
+  constexpr int kFrames = 7;
+  if (!a.json)
+    fmt::print("{:>12} {:>9} {:>9} {:>9} {:>13} {:>11} {:>12} {:>10}\n", axis.id, "ms", "fill ms", "light ms",
+               "tested/pixel", "targets MiB", "resident MiB", "upload ms");
+  const auto say = [&](const GrowthRow& r) {
+    if (!a.json)
+      fmt::print("{:>12.6g} {:>9.2f} {:>9.2f} {:>9.2f} {:>13.3g} {:>11.1f} {:>12.0f} {:>10.0f}\n", r.x, r.total_ms,
+                 r.geometry_ms, r.lighting_ms, r.tested_per_pixel, r.targets_mib, r.resident_mib, r.upload_ms);
+  };
+  const std::vector<GrowthRow> rows = measure_growth(lab, s, axis, std::max(1, a.frames.value_or(kFrames)), say);
+  std::vector<GrowthPoint> points;
+  for (const GrowthRow& r : rows) points.push_back({r.x, r.total_ms});
+  const std::vector<double> powers = growth_powers(points);
+  if (a.json) {
+    Json json{{"axis", axis.id}, {"powers", powers}, {"bend", nullptr}, {"rows", Json::array()}};
+    if (const auto bend = growth_bend(points)) json["bend"] = *bend;
+    for (const GrowthRow& r : rows)
+      json["rows"].push_back({{"x", r.x},
+                              {"total_ms", r.total_ms},
+                              {"geometry_ms", r.geometry_ms},
+                              {"lighting_ms", r.lighting_ms},
+                              {"tested_per_pixel", r.tested_per_pixel},
+                              {"targets_mib", r.targets_mib},
+                              {"resident_mib", r.resident_mib},
+                              {"upload_ms", r.upload_ms}});
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("powers between them: {:.2f}\nThe time of a frame {}.\n", fmt::join(powers, ", "),
+               bend_of(axis, points));
+  }
+  if (!a.output) return ExitCode::done;
+  make_folder(*a.output);
+  const auto file = *a.output / fmt::format("growth-{}.svg", axis.id);
+  write_text_file(file, run_gnuplot(growth_script(axis, rows, lab.device().renderer)));
+  if (!a.json) fmt::print("{}\n", file.string());
+  return ExitCode::done;
+}
+
 }  // namespace
 
 ExitCode run_bench(const Arguments& a) {
+  if (a.output && a.growth.empty())
+    throw Error(ExitCode::bad_input, "--output", "only --growth writes a file", "leave it out, or add --growth");
+  if (!a.growth.empty()) return run_growth(a);
   if (a.micro && a.calibrate) throw Error(ExitCode::bad_input, "--calibrate", "is another run than --micro");
   if (a.calibrate) return run_calibrate(a);
   if (a.micro) return run_micro(a);

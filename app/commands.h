@@ -59,6 +59,7 @@ struct Arguments {
   std::optional<double> limit_s;               // … seconds for one answer
   bool here = false;                           // … judged in this process
   bool no_truth = false;                       // of `bench`: without the reference
+  std::string growth;                          // … how time grows along this axis
   bool calibrate = false;                      // … what each kind of work costs on this device
   bool micro = false;                          // … what one pair costs
   std::vector<std::string> against;            // … the same with these options, in turn

@@ -33,19 +33,20 @@ struct WorkRow {
   const char* id;
   const char* counts;  // what there is one of
   double at_least;     // units: it holds so many turns
-  double llvmpipe;     // units, as `bench --calibrate` found them on two cores, where a turn took 1.7 ns
+  double
+      llvmpipe;  // units, as `bench --calibrate` found them on two cores, where a turn took 1.7 ns; fragments as large ones take
 };
 // clang-format off
 inline constexpr WorkRow kWork[] = {
     {Work::turn, "turn", "light in the full-screen loop, at each pixel", 1, 1},
-    {Work::pixel, "pixel", "pixel of a full-screen pass: it reads the G-buffer and writes its sums", 0, 12},
+    {Work::pixel, "pixel", "pixel of a full-screen pass: it reads the G-buffer and writes its sums", 0, 11},
     {Work::cleared, "cleared", "pixel whose sums are cleared, to be blended onto", 0, 1.5},
     {Work::second_test, "second-test", "distance that shade() tests again", 0, 0.05},
     {Work::cluster_pixel, "cluster-pixel", "pixel whose depth is looked at, and which looks up where its list is", 0, 3.1},
     {Work::listed, "listed", "turn of a loop whose lights come from a cluster's list", 1, 1.05},
     {Work::marked, "marked", "turn of a loop whose lights come from a tile's bits", 1, 1.5},
-    {Work::fragment, "fragment", "pair with a fragment of its own: it reads the G-buffer, shades and blends", 1, 6},
-    {Work::mesh_fragment, "mesh-fragment", "such a pair of a mesh: small triangles leave blocks of pixels half used", 1, 8.2},
+    {Work::fragment, "fragment", "pair with a fragment of its own: it reads the G-buffer, shades and blends", 1, 8},
+    {Work::mesh_fragment, "mesh-fragment", "such a pair of a mesh: small triangles leave blocks of pixels half used", 1, 8.5},
     {Work::mark, "mark", "fragment that is only tested against depth", 0, 2.5},
     {Work::draw, "draw", "draw call", 0, 9000},
     {Work::triangle, "triangle", "triangle of a light's mesh", 0, 47},

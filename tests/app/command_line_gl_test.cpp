@@ -7,6 +7,7 @@
 #include "app/calibration.h"
 #include "app/commands.h"
 #include "app/headless.h"
+#include "renderer/base/files.h"
 #include "renderer/base/json.h"
 
 namespace gbl {
@@ -106,6 +107,28 @@ TEST(CommandLine, BenchCalibrateMeasuresTheDeviceAndKeepsIt) {
   EXPECT_EQ(trouble, "");
   EXPECT_EQ(kept.ns_per_unit, double(j["ns_per_unit"]));
   std::filesystem::remove_all(folder);
+}
+
+TEST(CommandLine, BenchGrowthHasARowForEachPointAndAChart) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "bench-growth";
+  std::filesystem::remove_all(folder);
+  const Json j = json_of_bench({"--growth", "overlap", "--size", "64x36", "--scene", "builtin:hall", "--frames", "1",
+                                "--set", "lights.method=clustered", "-o", folder.c_str()});
+  ASSERT_GE(j["rows"].size(), 4u) << "the smallest lights may reach nothing";
+  EXPECT_EQ(j["powers"].size(), j["rows"].size() - 1);
+  double before = 0;
+  for (const Json& r : j["rows"]) {
+    EXPECT_GT(double(r["x"]), before);
+    EXPECT_GT(double(r["total_ms"]), 0);
+    EXPECT_GE(double(r["tested_per_pixel"]), double(r["x"]) * (1 - 1e-9)) << "what reaches a pixel is tested";
+    EXPECT_GT(double(r["targets_mib"]), 0);
+    before = r["x"];
+  }
+  EXPECT_NE(read_text_file(folder / "growth-overlap.svg").find("lights that reach a pixel"), std::string::npos);
+  std::filesystem::remove_all(folder);
+  EXPECT_NE(refused_by_bench({"--growth", "light"}).find("did you mean 'lights'"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--growth", "lights", "--micro"}).find("--micro"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"-o", "out"}).find("--growth"), std::string::npos);
 }
 
 TEST(CommandLine, BenchRefusesWhatItWouldIgnore) {
