@@ -88,6 +88,15 @@ TEST(CommandLine, BenchMicroHasARowForEachModelFalloffAndMethod) {
   EXPECT_GE(rows["lights.method"], 5) << "six where there are compute shaders";
 }
 
+TEST(CommandLine, BenchTimesWhatAUserWaitsForBesideThePasses) {
+  const Json j = json_of_bench({"--scene", "builtin:yard", "--size", "320x180", "--frames", "3", "--no-truth"});
+  const auto median = [&](const char* what) { return double(j[std::string("time_ms_") + what + "_median"]); };
+  EXPECT_GT(median("wall"), 0);
+  EXPECT_GT(median("cpu"), 0);
+  EXPECT_GT(median("submission"), 0);
+  EXPECT_LE(median("submission"), median("wall")) << "a part of it";
+}
+
 // Into a folder of its own, so that no test beside this one chooses by it.
 TEST(CommandLine, BenchCalibrateMeasuresTheDeviceAndKeepsIt) {
   const std::string before = std::getenv("XDG_STATE_HOME") ? std::getenv("XDG_STATE_HOME") : "/";
