@@ -23,6 +23,7 @@ constexpr double kMostMs = 150;  // set-ups that would take longer tell nothing 
 
 std::vector<Settings> set_ups(Settings s, const DeviceLimits& limits) {
   s.accumulation.targets = AccumulationTargets::split;  // so that the lighting is a pass of its own
+  s.lights.source = LightSource::generated;
   s.lights.cull = LightCull::front, s.lights.volume.clip = VolumeClip::none;
   std::vector<Settings> out;
   for (const ValueRow& r : rows<LightMethod>())
@@ -85,6 +86,7 @@ std::vector<MeasuredWork> measure_work(Renderer& renderer, const GpuScene& scene
   for (const Settings& s : set_ups(asked, limits)) {
     const WorkCounts counts = work_of(s.lights.method, lights_in_view(s, renderer.resolve(s, scene)->lights)).counts;
     const double units = units_of(counts, llvmpipe_weights());
+    if (!(units > 0)) continue;  // there is no light
     if (units * ns_per_unit > kMostMs * 1e6) continue;
     lighting_ms(renderer, s, scene, targets);             // compiles programs
     double ms = std::numeric_limits<double>::infinity();  // the least: what disturbs a frame makes it longer
@@ -107,7 +109,8 @@ void keep_calibration(const fs::path& file, const gl::Device& device, const Work
   std::error_code ignored;
   if (fs::exists(file, ignored)) try {
       json = read_file(file);
-    } catch (const Error&) {  // damaged: written anew
+    } catch (const Error&) {  // damaged, or of a newer program: kept beside the new one
+      fs::rename(file, file.string() + ".bad", ignored);
     }
   Json& entry = json["devices"][name_of(device)] = {{"ns_per_unit", weights.ns_per_unit}};
   for (const WorkRow& r : kWork) entry[r.id] = weights.units[r.work];

@@ -30,6 +30,7 @@ constexpr double kMeasureSeconds = 0.001;   // pace of a study that nobody distu
 constexpr double kQuietSeconds = 0.3;       // without a hand on the window before anything is measured beside it
 constexpr double kIdleSeconds = 0.25;       // how late a saved shader or an answer may be noticed
 constexpr double kSettledSeconds = 1;       // after which nothing that was touched changes any more, tooltips included
+constexpr int kSettledFrames = 4;           // ImGui needs a few
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A user's layout file is read again when it is saved.
@@ -203,9 +204,11 @@ class Loop {
     window_.wait_events(pace());
     const glm::ivec2 size = window_.framebuffer_size();
     if (size.x == 0 || size.y == 0) return;  // minimised
-    if (window_.saw_input()) quiet_frames_ = 0, stirred_s_ = glfwGetTime();
+    if (window_.saw_input()) stir();
     if (resting()) return;
     ++quiet_frames_;
+    const double begin = glfwGetTime();
+    const bool was_busy = viewer_.busy();
     ui::Input input = viewer_.input(glfwGetTime());
     input.full_screen = window_.full_screen();
     path_.recent = session_.recent;
@@ -238,16 +241,21 @@ class Loop {
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
-    keep_session(input.seconds);
-    if (viewer_.busy()) stirred_s_ = glfwGetTime();
+    const bool trouble = keep_session(input.seconds), slow = glfwGetTime() - begin > kIdleSeconds;
+    if (trouble || slow || was_busy || viewer_.busy()) stir();  // what came of it is drawn by the next steps
   }
+
+  void stir() { quiet_frames_ = 0, stirred_s_ = glfwGetTime(); }
 
   // What is on the screen is drawn already, and nothing can change it but an event, a file that is saved, or the hour.
   // Then only files are looked at, and no processor works for a window that nobody touches.
   bool resting() {
     const double now = glfwGetTime();
-    const bool settled = now - stirred_s_ > kSettledSeconds && now < wakes_s_ && !ImGui::GetIO().WantTextInput;
-    return settled && !viewer_.busy() && !viewer_.shaders_saved() && !keep_session(now) && !take_saved_layout();
+    const bool settled = quiet_frames_ >= kSettledFrames && now - stirred_s_ > kSettledSeconds;
+    if (!settled || now >= wakes_s_ || ImGui::GetIO().WantTextInput || viewer_.busy()) return false;
+    if (!viewer_.shaders_saved() && !keep_session(now) && !take_saved_layout()) return true;
+    stir();
+    return false;
   }
 
   void save(const ui::Figure& figure, glm::ivec2 size) {
@@ -274,7 +282,7 @@ class Loop {
   // Full pace while something moves or has just happened (ImGui needs a few frames to settle), else nearly asleep.
   double pace() const {
     if (viewer_.measuring()) return kMeasureSeconds;
-    if (viewer_.busy() || quiet_frames_ < 4) return kFrameSeconds;
+    if (viewer_.busy() || quiet_frames_ < kSettledFrames) return kFrameSeconds;
     return std::clamp(wakes_s_ - glfwGetTime(), 0.0, kIdleSeconds);
   }
 

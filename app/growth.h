@@ -22,8 +22,8 @@ std::span<const GrowthAxis> growth_axes();
 const GrowthAxis& growth_axis(std::string_view id);  // Error(bad_input) with the known ones
 
 struct GrowthRow {
-  double x = 0;                                           // of overlap: as measured, else the axis's value
-  double total_ms = 0, geometry_ms = 0, lighting_ms = 0;  // medians; the lists of lights made anew in each frame
+  double x = 0;                                       // of overlap: as measured, else the axis's value
+  double total_ms = 0, geometry_ms = 0, rest_ms = 0;  // medians; the lists of lights made anew in each frame
   double tested_per_pixel = 0;
   double targets_mib = 0, resident_mib = 0;  // of the frame; of the process
   double upload_ms = 0;                      // from a scene in memory to one on the GPU; 0: it was there
@@ -32,7 +32,7 @@ struct GrowthRow {
 std::vector<GrowthRow> measure_growth(Lab&, const Settings&, const GrowthAxis&, int frames,
                                       const std::function<void(const GrowthRow&)>& done);
 
-// As a chart on logarithmic axes: the whole frame, its fill and its light. For run_gnuplot().
+// As a chart on logarithmic axes: the whole frame, its fill and all that follows. For run_gnuplot().
 std::string growth_script(const GrowthAxis&, std::span<const GrowthRow>, const std::string& subtitle);
 
 }  // namespace gbl

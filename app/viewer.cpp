@@ -274,8 +274,9 @@ void Viewer::reload() {
 bool Viewer::shaders_saved() const { return shaders_ != 0 && shaders_stamp() != shaders_; }
 
 void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving) {
-  const bool saved = shaders_saved();
-  shaders_ = shaders_stamp();
+  const long long stamp = shaders_stamp();
+  const bool saved = shaders_ != 0 && stamp != shaders_;
+  shaders_ = stamp;
   if (saved || requests.reload_shaders) reload();
   const bool settled = moving_ && !moving;  // drawn again in full size, and counted
   moving_ = moving;

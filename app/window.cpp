@@ -101,7 +101,17 @@ Window::Window(glm::ivec2 size, const char* title) {
   glfwSetKeyCallback(window_, on_key);  // before ImGui's back-end, which passes events on to these
   glfwSetCharCallback(window_, on_character);
   glfwSetDropCallback(window_, on_drop);
+  // Whatever else happens to it; ImGui's back-end passes these on, too.
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double, double) { notice(w); });
+  glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { notice(w); });
+  glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double) { notice(w); });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int) { notice(w); });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int) { notice(w); });
+  glfwSetWindowRefreshCallback(window_, notice);
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { notice(w); });
 }
+
+void Window::notice(GLFWwindow* w) { static_cast<Window*>(glfwGetWindowUserPointer(w))->input_ = true; }
 
 Window::~Window() {
   glfwDestroyWindow(window_);
@@ -160,6 +170,7 @@ std::vector<ui::KeyEvent> Window::take_keys() { return std::exchange(keys_, {});
 bool Window::saw_input() { return std::exchange(input_, false); }
 
 void Window::on_key(GLFWwindow* w, int key, int scancode, int action, int mods) {
+  notice(w);
   auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
   const std::string name = name_of(key, scancode);
   if (name.empty()) return;
@@ -173,12 +184,14 @@ void Window::on_key(GLFWwindow* w, int key, int scancode, int action, int mods) 
 }
 
 void Window::on_character(GLFWwindow* w, unsigned codepoint) {
+  notice(w);
   auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
   if (codepoint < 128 && kAsCharacters.find(static_cast<char>(codepoint)) != std::string_view::npos)
     self.keys_.push_back({std::string(1, static_cast<char>(codepoint))});
 }
 
 void Window::on_drop(GLFWwindow* w, int count, const char** paths) {
+  notice(w);
   auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(w));
   self.drops_.assign(paths, paths + count);
 }

@@ -32,6 +32,7 @@ class Window {
   bool saw_input();  // any event since the last call
 
  private:
+  static void notice(GLFWwindow*);
   static void on_key(GLFWwindow*, int key, int scancode, int action, int mods);
   static void on_character(GLFWwindow*, unsigned codepoint);
   static void on_drop(GLFWwindow*, int count, const char** paths);

@@ -13,9 +13,10 @@ uniform ivec2 everywhere;            // the texel at which that list starts, how
 ivec2 list_of(vec3 position) {
   ivec2 tile = ivec2(gl_FragCoord.xy) >> cuts.x;
   ivec3 clusters = ivec3(texelFetch(light_lists, tile.y * cuts.y + tile.x).xyz);  // first texel, slice, how many
-  float depth = max(dot(position, ray_forward.xyz), planes.x), slice = max(log2(depth) * slices.x + slices.y, 0.0);
-  int k = int(slice) - clusters.y;
-  bool listed = slice < float(cuts.z) && k >= 0 && k < clusters.z;
+  float depth = max(dot(position, ray_forward.xyz), planes.x);
+  int slice = int(clamp(log2(depth) * slices.x + slices.y, 0.0, float(cuts.z - 1)));
+  int k = slice - clusters.y;
+  bool listed = k >= 0 && k < clusters.z;
   ivec2 list = ivec2(texelFetch(light_lists, clusters.x + (listed ? k : 0)).xy);
   return listed ? list : ivec2(0);
 }

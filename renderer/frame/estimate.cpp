@@ -65,7 +65,7 @@ double grown(double share, double cell) {
   return share > 0 ? std::min(1.0, side * side) : 0;
 }
 
-// Half of all clusters, and every pixel reads the light.
+// Nearly all clusters, and every pixel reads the light.
 double share_in_clusters(double outline, double thick, double tile) {
   const double share = grown(outline, tile) * std::min(1.0, thick + 1.0 / kMostSlices);
   return share > 0.875 ? 1 : share;

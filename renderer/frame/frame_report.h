@@ -15,6 +15,13 @@ struct PassTime {
   std::optional<double> ms;  // empty until the query has answered
 };
 
+// Bytes of a pixel that a pass reads from targets and writes into them, at most, if it does so once. Methods that blend read
+// and write for each pair.
+struct PassTraffic {
+  std::string pass;
+  int read = 0, written = 0;
+};
+
 struct PairCounts {
   uint64_t tested = 0;          // (pixel with geometry, light) whose record was read for that pixel
   uint64_t shaded = 0;          // of those, passed to shade()
@@ -27,13 +34,14 @@ struct ListReport {
   double light_px = 0;  // a light's width, the mean of those in view
   uint64_t entries = 0;
   int everywhere = 0;  // lights that every pixel reads
-  double ms = 0;       // of the CPU, when they were last made: they are kept while nothing moves
+  double ms = 0;  // of the CPU, when they were last made: they are kept while nothing moves; without waiting for depths
 };
 
 struct FrameReport {
-  glm::ivec2 size{0};            // as drawn
-  std::vector<PassTime> passes;  // in the order drawn
-  std::string time_source;       // "gpu-query", "software-rasteriser" or "cpu-clock"
+  glm::ivec2 size{0};                // as drawn
+  std::vector<PassTime> passes;      // in the order drawn
+  std::vector<PassTraffic> traffic;  // of those passes that have any
+  std::string time_source;           // "gpu-query", "software-rasteriser" or "cpu-clock"
   std::optional<PairCounts> pairs;
   std::optional<ListReport> lists;
   int draw_calls = 0;

@@ -31,7 +31,9 @@ void settle(std::span<const MeasuredWork> measured, WorkCounts& weights) {
           if (o.work != r.work) others += m.counts[o.work] * weights[o.work];
         slope += share * (1 - others / (m.ms * 1e6)), bent += share * share;
       }
-      weights[r.work] = std::max(r.at_least * (r.work == Work::turn ? 0 : weights[Work::turn]), slope / bent);
+      // A turn is what all others are given in, so it is never nothing.
+      const double least = r.work == Work::turn ? 1e-3 * begun[r.work] : r.at_least * weights[Work::turn];
+      weights[r.work] = std::max(least, slope / bent);
     }
 }
 
@@ -45,7 +47,7 @@ WorkWeights fit_weights(std::span<const MeasuredWork> measured) {
   WorkCounts ns;
   for (const WorkRow& r : kWork) ns[r.work] = out.units[r.work] * median(ns_per_unit);
   settle(measured, ns);
-  out.ns_per_unit = std::max(ns[Work::turn], 1e-6);  // a turn is what all are given in
+  out.ns_per_unit = ns[Work::turn];
   for (const WorkRow& r : kWork) out.units[r.work] = ns[r.work] / out.ns_per_unit;
   return out;
 }

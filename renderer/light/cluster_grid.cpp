@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "renderer/base/threads.h"
 #include "renderer/light/light_volume.h"
@@ -25,7 +26,8 @@ constexpr double kWideLight = 5;  // … times kTile, as the mean of those in vi
 constexpr double kMostVisits = 2e6;
 
 struct View {
-  View(const Camera& c, double aspect) : camera(c), half(c.half_height(aspect) * glm::dvec2(aspect, 1)) {}
+  View(const Camera& c, double aspect, const PositionStep& s)
+      : camera(c), step(s), half(c.half_height(aspect) * glm::dvec2(aspect, 1)) {}
 
   // Does the ball hold all that can be seen?
   bool inside(const glm::dvec3& centre, double radius) const {
@@ -41,13 +43,19 @@ struct View {
   }
 
   const Camera& camera;
+  const PositionStep& step;
   glm::dvec2 half;  // extents of the picture
 };
 
-Ball widened(const Camera& camera, const Light& light) {
+// By what arithmetic in float and the stored positions may be off.
+Ball widened(const View& view, const Light& light) {
   const Ball ball = reach_of(light);
-  const double distance = glm::distance(ball.centre, camera.position);
-  return {ball.centre, ball.radius * (1 + kFloatSlack) + distance * kFloatSlack};
+  const double distance = glm::distance(ball.centre, view.camera.position), radius = ball.radius;
+  const glm::dvec3 along = glm::abs(ball.centre);
+  const double coordinate = std::max({along.x, along.y, along.z}) + radius;
+  return {ball.centre, radius * (1 + kFloatSlack) + distance * kFloatSlack +
+                           (distance + radius) * view.step.of_distance + coordinate * view.step.of_coordinate +
+                           view.step.world};
 }
 
 // False if nothing of it can be in view.
@@ -70,7 +78,7 @@ void find_lights(const View& view, glm::ivec2 size, std::span<const Light> light
   for (size_t i = first; i < end; ++i) {
     LightReach r{.light = static_cast<uint32_t>(i)};
     if (bounded(lights[i])) {
-      const Ball ball = widened(view.camera, lights[i]);
+      const Ball ball = widened(view, lights[i]);
       r.centre = view_of(view.camera, ball.centre), r.radius = ball.radius;
     }
     if (!bounded(lights[i]) || view.inside(r.centre, r.radius))
@@ -81,8 +89,8 @@ void find_lights(const View& view, glm::ivec2 size, std::span<const Light> light
 }
 
 void find_lights(const View& view, glm::ivec2 size, std::span<const Light> lights, ClusterGrid& grid) {
-  constexpr size_t kWorthAThread = 2000;  // lights: a thread starts in the time that so many take
-  const size_t count = lights.size() < kWorthAThread ? 1 : static_cast<size_t>(all_processors());
+  constexpr size_t kWorthAThread = 1000;  // lights: a thread starts in the time that so many take
+  const size_t count = std::clamp<size_t>(lights.size() / kWorthAThread, 1, static_cast<size_t>(all_processors()));
   std::vector<Share> shares(count);
   on_threads(static_cast<int>(count), [&](int k) {
     const auto i = static_cast<size_t>(k);
@@ -94,6 +102,8 @@ void find_lights(const View& view, glm::ivec2 size, std::span<const Light> light
   }
 }
 
+int slices_for(int tile) { return std::min(kMostSlices, kMostSlices * kTile / tile); }
+
 // From the nearest to the farthest point that any light reaches: elsewhere no list is needed.
 void find_slices(const Camera& camera, ClusterGrid& grid) {
   double nearest = camera.far, farthest = camera.near;
@@ -104,13 +114,16 @@ void find_slices(const Camera& camera, ClusterGrid& grid) {
   farthest = std::min(farthest, camera.far);
   nearest = std::max({nearest, camera.near, farthest * kNearestPart});
   const double octaves = std::max(1.0, std::log2(farthest / nearest));
-  grid.slices = std::min(kMostSlices, kMostSlices * kTile / grid.tile_px);
+  grid.slices = slices_for(grid.tile_px);
   grid.slice_scale = grid.slices / octaves;
   grid.slice_offset = -std::log2(nearest) * grid.slice_scale;
   grid.slice_edges.assign(1, 0.0f);
   for (int k = 1; k < grid.slices; ++k)
     grid.slice_edges.push_back(static_cast<float>(std::exp2((k - grid.slice_offset) / grid.slice_scale)));
-  grid.slice_edges.push_back(static_cast<float>(farthest * (1 + kFloatSlack)));
+  // Where a light reaches on beyond the far plane, so does the last slice: a depth may be rounded to that side.
+  const bool beyond = farthest >= camera.far;
+  grid.slice_edges.push_back(beyond ? std::numeric_limits<float>::max()
+                                    : static_cast<float>(farthest * (1 + kFloatSlack)));
   const auto slice_of = [&](double depth) {
     return depth > nearest ? std::min(grid.slices - 1, static_cast<int>(std::log2(depth / nearest) * grid.slice_scale))
                            : 0;
@@ -140,9 +153,14 @@ double mean_light_px(const ClusterGrid& grid) {
   return grid.reaches.empty() ? 0 : sum / double(grid.reaches.size());
 }
 
-int tile_for(const ClusterGrid& grid) {
+size_t heads(glm::ivec2 size, int tile) {
+  const glm::ivec2 tiles = (size + tile - 1) / tile;
+  return static_cast<size_t>(tiles.x) * static_cast<size_t>(tiles.y) * static_cast<size_t>(1 + slices_for(tile));
+}
+
+int tile_for(const ClusterGrid& grid, glm::ivec2 size, size_t most_heads) {
   int tile = grid.light_px < kWideLight * kTile ? kSmallTile : kTile;
-  while (tile < kLargestTile && visits(grid, tile) > kMostVisits) tile *= 2;
+  while (tile < kLargestTile && (visits(grid, tile) > kMostVisits || heads(size, tile) > most_heads)) tile *= 2;
   return tile;
 }
 
@@ -154,12 +172,13 @@ std::vector<float> edges(int cells, int tile, int pixels, double half) {
 
 }  // namespace
 
-ClusterGrid cut_for(const Camera& camera, glm::ivec2 size, std::span<const Light> lights) {
-  const View view(camera, double(size.x) / size.y);
+ClusterGrid cut_for(const Camera& camera, glm::ivec2 size, std::span<const Light> lights, const PositionStep& step,
+                    size_t most_heads) {
+  const View view(camera, double(size.x) / size.y, step);
   ClusterGrid grid{.orthographic = camera.orthographic(), .light_count = static_cast<uint32_t>(lights.size())};
   find_lights(view, size, lights, grid);
   grid.light_px = mean_light_px(grid);
-  grid.tile_px = grid.reaches.empty() ? kTile : tile_for(grid);
+  grid.tile_px = grid.reaches.empty() ? kLargestTile : tile_for(grid, size, most_heads);
   find_slices(camera, grid);
   grid.tiles = (size + grid.tile_px - 1) / grid.tile_px;
   grid.blocks = (size + kBlock - 1) / kBlock;

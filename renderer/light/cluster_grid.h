@@ -55,6 +55,15 @@ struct ClusterGrid {
   float end_of_reach() const { return slice_edges.back(); }
 };
 
-ClusterGrid cut_for(const Camera&, glm::ivec2 size_px, std::span<const Light>);
+// How far a position that is stored or worked out may be off the ray of its pixel.
+struct PositionStep {
+  double of_distance = 0;    // from the camera
+  double of_coordinate = 0;  // in the world
+  double world = 0;          // units
+};
+
+// most_heads: no more tiles and clusters together.
+ClusterGrid cut_for(const Camera&, glm::ivec2 size_px, std::span<const Light>, const PositionStep& = {},
+                    size_t most_heads = std::numeric_limits<size_t>::max());
 
 }  // namespace gbl

@@ -86,8 +86,9 @@ bool LightClusters::build(const ClusterGrid& grid, std::span<const DepthSpan> bl
   grid_ = grid, most_entries_ = most_entries, built_ = true;
   blocks_.assign(blocks.begin(), blocks.end());
   find_clusters();
-  constexpr size_t kWorthAThread = 200;  // lights: a thread starts in the time that listing so many takes
-  const int bands = grid_.reaches.size() < kWorthAThread ? 1 : std::min(all_processors(), std::max(1, grid_.tiles.y));
+  constexpr size_t kWorthAThread = 100;  // lights: a thread starts in the time that listing so many takes
+  const size_t worth = std::min(grid_.reaches.size() / kWorthAThread, static_cast<size_t>(grid_.tiles.y));
+  const int bands = static_cast<int>(std::clamp<size_t>(worth, 1, static_cast<size_t>(all_processors())));
   bands_.resize(static_cast<size_t>(bands));
   on_threads(bands, [&](int i) {
     Band& band = bands_[static_cast<size_t>(i)];

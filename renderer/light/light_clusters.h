@@ -1,7 +1,7 @@
 #pragma once
 // For each cluster with surfaces in it, the lights that reach into it. Olsson, Billeter and Assarsson 2012, "Clustered
 // Deferred and Forward Shading": what holds no surface needs no list, and what does is no larger than its surfaces.
-// A list holds every light that reaches any point that is seen of its cluster.
+// A list holds every light that reaches any point that is seen of its cluster, but for those that every pixel reads.
 #include <cstdint>
 #include <span>
 #include <vector>

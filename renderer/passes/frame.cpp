@@ -67,6 +67,23 @@ ListReport lists_of(const ClusterTargets& t) {
           t.ms};
 }
 
+// `written`: a bit for each of what passes before this one have stored.
+PassTraffic traffic_of(const PassRow& pass, const ResolvedFrame& f, unsigned& written) {
+  PassTraffic out{pass.timer};
+  unsigned now = 0;
+  for (const Attachment& a : f.attachments) {
+    const unsigned bit = 1u << static_cast<unsigned>(a.stores);
+    const int bytes = row(a.format).bytes;
+    if (pass.reads.bits & written & bit) out.read += bytes;
+    const bool begins = a.written_by == Pass::lighting && pass.draw == draw_geometry && !f.light_sum_is_begun;
+    if (!(pass.writes.bits & bit) || begins) continue;
+    out.written += bytes;
+    now |= bit;
+  }
+  written |= now;
+  return out;
+}
+
 }  // namespace
 
 FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targets& targets) {
@@ -96,12 +113,15 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   upload_lights(frame);
   FrameReport report = report_of(*resolved, asked, targets);
   report.draw_calls = calls_before;
+  unsigned written = 0;
   for (const PassRow& pass : kPasses) {
     // In a mirror only what is lit is seen, and the frame around it is timed as one.
     if (!pass.needed(*resolved) || (targets.cut.nested && pass.draw == draw_transparent)) continue;
     std::optional<gl::PassScope> scope;
     if (!targets.cut.nested) scope.emplace(targets.timers, pass.timer);
     report.draw_calls += pass.draw(frame);
+    if (PassTraffic traffic = traffic_of(pass, *resolved, written); traffic.read + traffic.written > 0)
+      report.traffic.push_back(std::move(traffic));
   }
   if (resolved->settings.lights.method == LightMethod::clustered && !resolved->lights.empty())
     report.lists = lists_of(targets.clusters);

@@ -43,23 +43,23 @@ int draw_lighting(const Frame& frame, LightOutput output, const gl::Framebuffer&
   return method_of(frame).draw({frame, output});
 }
 
-void prepare_lighting(Frame& frame) {
-  if (method_of(frame).prepare && !frame.lights().empty()) method_of(frame).prepare(frame);
+int prepare_lighting(Frame& frame) {
+  return method_of(frame).prepare && !frame.lights().empty() ? method_of(frame).prepare(frame) : 0;
 }
 
 int draw_folded_light(Frame& frame) {
-  prepare_lighting(frame);
+  const int prepared = prepare_lighting(frame);
   begin_drawing(frame.framebuffer(Pass::combine), frame.settings.size, {});
   bind_gbuffer(frame);
   bind_lights(frame);
   const LightingPass pass{frame, LightOutput::lit};
-  return frame.lights().empty() ? draw_fullscreen_lights(pass) : method_of(frame).draw(pass);
+  return prepared + (frame.lights().empty() ? draw_fullscreen_lights(pass) : method_of(frame).draw(pass));
 }
 
 int draw_light_sums(Frame& frame) {
-  prepare_lighting(frame);  // building lists is part of what a method costs
-  return draw_lighting(frame, frame.resolved.split ? LightOutput::split : LightOutput::sum,
-                       frame.framebuffer(Pass::lighting));
+  const int prepared = prepare_lighting(frame);  // building lists is part of what a method costs
+  return prepared + draw_lighting(frame, frame.resolved.split ? LightOutput::split : LightOutput::sum,
+                                  frame.framebuffer(Pass::lighting));
 }
 
 }  // namespace gbl

@@ -19,15 +19,16 @@ int draw_volume_lights_stencil(const LightingPass&);
 int draw_quad_lights(const LightingPass&);
 int draw_disc_lights(const LightingPass&);
 int draw_tiled_lights(const LightingPass&);
-void prepare_clusters(Frame&);
+int prepare_clusters(Frame&);
 int draw_clustered_lights(const LightingPass&);
 
 inline constexpr int kTile = 16;  // pixels a side
 
 struct MethodRow {
   LightMethod method;
-  int (*draw)(const LightingPass&);   // framebuffer bound and cleared, blending on; -> draw calls
-  void (*prepare)(Frame&) = nullptr;  // once per frame, before its light is drawn and its pairs are counted
+  int (*draw)(const LightingPass&);  // framebuffer bound and cleared, blending on; -> draw calls
+  int (*prepare)(Frame&) =
+      nullptr;  // once per frame, before its light is drawn and its pairs are counted; -> draw calls
 };
 inline constexpr MethodRow kMethods[] = {
     {LightMethod::forward, nullptr},  // no light pass: see forward.cpp

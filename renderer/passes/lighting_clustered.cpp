@@ -20,13 +20,31 @@ class Stopwatch {
   const Clock::time_point begun_ = Clock::now();
 };
 
-// As many as a buffer of this driver holds; lights beyond them are read by every pixel.
+constexpr size_t kWords = 4;  // of a texel
+
+size_t most_words() { return kWords * gl::device().max_buffer_texels; }
+size_t most_heads() { return most_words() / kWords / 2; }  // the other half is for the lists
+
+// As many as a buffer of this driver holds beside the heads; lights beyond them are read by every pixel.
 uint32_t most_entries(const ClusterGrid& grid) {
-  constexpr size_t kWords = 4;
   const size_t heads = static_cast<size_t>(grid.tile_count() * (1 + grid.slices)), filled_up = (kWords - 1) * heads;
-  const size_t words = kWords * gl::device().max_buffer_texels,
-               taken = kWords * heads + filled_up + grid.light_count + kWords;
+  const size_t words = most_words(), taken = kWords * heads + filled_up + grid.light_count + kWords;
   return static_cast<uint32_t>(std::min<size_t>(kMostClusterEntries, words - std::min(words, taken)));
+}
+
+PositionStep position_step(const Settings::Position& p) {
+  constexpr double kHalf = 1.8 / 1024, kFloat = 1.8 / (1 << 23);  // cut short, of three coordinates together
+  switch (p.source) {
+    case PositionSource::depth:
+      return {.of_coordinate = p.reconstruct == PositionReconstruct::view_ray ? 0 : 8 * kFloat};
+    case PositionSource::world16f: return {.of_coordinate = kHalf};
+    case PositionSource::world32f: return {.of_coordinate = kFloat};
+    case PositionSource::view16f: return {.of_distance = kHalf};
+    case PositionSource::view_scaled: return {.world = 0.11};  // a float of 0.5 has steps of 6e-8, and 1e6 units are 1
+    case PositionSource::linear32f:
+    case PositionSource::view32f: break;  // floats along the ray, or from the camera
+  }
+  return {};
 }
 
 void draw_depths(Frame& frame, const ClusterGrid& grid, const Canvas& into) {
@@ -55,17 +73,20 @@ std::vector<DepthSpan> seen_depths(Frame& frame, const ClusterGrid& grid) {
 
 }  // namespace
 
-void prepare_clusters(Frame& frame) {
+int prepare_clusters(Frame& frame) {
   ClusterTargets& t = frame.targets().clusters;
   const Stopwatch cutting;
-  const ClusterGrid grid = cut_for(frame.settings.camera, frame.settings.size, frame.lights());
+  const ClusterGrid grid = cut_for(frame.settings.camera, frame.settings.size, frame.lights(),
+                                   position_step(frame.settings.position), most_heads());
   const double cut_ms = cutting.ms();
   const std::vector<DepthSpan> seen = seen_depths(frame, grid);
   const Stopwatch listing;
-  if (!t.clusters.build(grid, seen, most_entries(grid))) return;
+  const int draws = grid.reaches.empty() ? 0 : 1;
+  if (!t.clusters.build(grid, seen, most_entries(grid))) return draws;
   const std::span<const uint32_t> words = t.clusters.words();
   gl::write_texels(t.lists, Format::rgba32ui, words.data(), words.size() / 4, "light lists");
   t.ms = cut_ms + listing.ms();
+  return draws;
 }
 
 int draw_clustered_lights(const LightingPass& pass) {

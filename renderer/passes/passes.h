@@ -36,7 +36,7 @@ int draw_forward_frame(Frame&);  // background, then surfaces shaded as they are
 int draw_geometry(Frame&);
 int draw_light_sums(Frame&);    // the lists of its method, then light
 int draw_folded_light(Frame&);  // the same, and what combine would do
-void prepare_lighting(Frame&);  // what the lighting reads beside the G-buffer and the lights
+int prepare_lighting(Frame&);   // what the lighting reads beside the G-buffer and the lights
 int draw_lighting(const Frame&, LightOutput, const gl::Framebuffer& into);
 int draw_combine(Frame&);
 int draw_background(const Frame&, const gl::Framebuffer& into);

@@ -54,10 +54,10 @@ struct ShadowTargets {
 
 // Of the clustered method: what is seen of the picture's tiles, and their lists.
 struct ClusterTargets {
-  std::optional<Canvas> depths;  // TileDepths, a block of pixels each
+  std::optional<Canvas> depths;  // two DepthSpan of each block of pixels
   LightClusters clusters;
   gl::TexelBuffer lists;
-  double ms = 0;  // of the CPU, to cut the view and to list and upload, when that was last done
+  double ms = 0;  // of the CPU, when they were last made: to cut the view, to list and to upload; no waiting
 };
 
 struct Targets;

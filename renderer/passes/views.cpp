@@ -79,6 +79,7 @@ glm::vec2 cells_per_pixel(const Frame& frame) {
   switch (frame.settings.lights.method) {
     case LightMethod::tiled: return glm::vec2(1.0f / kTile);
     case LightMethod::clustered:
+      if (frame.lights().empty()) return glm::vec2(0);  // nothing is listed
       return glm::vec2(1.0f / static_cast<float>(frame.targets().clusters.clusters.grid().tile_px));
     default: return glm::vec2(0);
   }

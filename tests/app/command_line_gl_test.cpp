@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
+#include <optional>
 
 #include "app/calibration.h"
 #include "app/commands.h"
@@ -99,13 +100,14 @@ TEST(CommandLine, BenchTimesWhatAUserWaitsForBesideThePasses) {
 
 // Into a folder of its own, so that no test beside this one chooses by it.
 TEST(CommandLine, BenchCalibrateMeasuresTheDeviceAndKeepsIt) {
-  const std::string before = std::getenv("XDG_STATE_HOME") ? std::getenv("XDG_STATE_HOME") : "/";
+  const char* const set = std::getenv("XDG_STATE_HOME");
+  const std::optional<std::string> before = set ? std::optional<std::string>(set) : std::nullopt;
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "bench-calibrate";
   std::filesystem::remove_all(folder);
   setenv("XDG_STATE_HOME", folder.c_str(), 1);
   const Json j = json_of_bench({"--calibrate", "--size", "64x36", "--scene", "builtin:yard"});
   const std::filesystem::path file = calibration_file().value();
-  setenv("XDG_STATE_HOME", before.c_str(), 1);
+  before ? setenv("XDG_STATE_HOME", before->c_str(), 1) : unsetenv("XDG_STATE_HOME");
   EXPECT_GT(int(j["set_ups"]), 30);
   EXPECT_GT(double(j["ns_per_unit"]), 0);
   EXPECT_EQ(j["units"]["turn"], 1);
@@ -137,6 +139,8 @@ TEST(CommandLine, BenchGrowthHasARowForEachPointAndAChart) {
   std::filesystem::remove_all(folder);
   EXPECT_NE(refused_by_bench({"--growth", "light"}).find("did you mean 'lights'"), std::string::npos);
   EXPECT_NE(refused_by_bench({"--growth", "lights", "--micro"}).find("--micro"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--growth", "lights", "--lights", "64"}).find("--lights"), std::string::npos);
+  EXPECT_NE(refused_by_bench({"--growth", "pixels", "--size", "64x36"}).find("--size"), std::string::npos);
   EXPECT_NE(refused_by_bench({"-o", "out"}).find("--growth"), std::string::npos);
 }
 

@@ -76,8 +76,8 @@ bool built(LightClusters& clusters, const Surfaces& s, std::span<const Light> li
 std::vector<uint32_t> read_at(const LightClusters& clusters, glm::ivec2 pixel, double depth) {
   const ClusterGrid& g = clusters.grid();
   const double slice = std::log2(depth) * g.slice_scale + g.slice_offset;
-  std::span<const uint32_t> list;
-  if (slice < g.slices) list = clusters.list(pixel / g.tile_px, std::max(0, static_cast<int>(slice)));
+  const std::span<const uint32_t> list =
+      clusters.list(pixel / g.tile_px, std::clamp(static_cast<int>(slice), 0, g.slices - 1));
   std::vector<uint32_t> all(list.begin(), list.end());
   EXPECT_TRUE(std::is_sorted(all.begin(), all.end())) << "the lights' own order";
   all.insert(all.end(), clusters.everywhere().begin(), clusters.everywhere().end());
@@ -178,7 +178,7 @@ TEST(LightClusters, SlicesOverlapAtTheirBorders) {
   LightClusters clusters;
   int pairs = 0;
   for (int slice = 1; slice < grid.slices; ++slice)
-    for (const double off : {-1e-6, 1e-6}) {
+    for (const double off : {-2e-5, 2e-5}) {
       std::fill(seen.depth.begin(), seen.depth.end(), double(grid.slice_edges[slice]));
       clusters.build(grid, seen.blocks(grid, off));
       seen.each([&](glm::ivec2 p) {
@@ -192,6 +192,46 @@ TEST(LightClusters, SlicesOverlapAtTheirBorders) {
       });
     }
   EXPECT_GT(pairs, 10000);
+}
+
+// A light across the far plane reaches surfaces there, on whichever side of it their depths are rounded.
+TEST(LightClusters, TheFarPlaneBelongsToTheLastSlice) {
+  Surfaces seen{Camera{}, {64, 64}};
+  seen.camera.near = 0.1, seen.camera.far = 100;
+  std::vector<Light> lights(1);
+  lights[0].position = {0, 0, -95}, lights[0].range = 20;
+  LightClusters clusters;
+  for (const double off : {-1e-3, -1e-7, 0.0, 1e-7, 1e-3}) {
+    std::fill(seen.depth.begin(), seen.depth.end(), seen.camera.far * (1 + off));
+    built(clusters, seen, lights);
+    EXPECT_TRUE(holds(read_at(clusters, {32, 32}, seen.at({32, 32})), 0)) << off;
+    EXPECT_FALSE(holds(read_at(clusters, {1, 1}, seen.at({1, 1})), 0)) << off << ": aside";
+  }
+}
+
+// Lights grow by what stored positions may be off: 1000 units from the origin a half float has steps of half a unit.
+TEST(LightClusters, LightsGrowByWhatPositionsMayBeOff) {
+  Camera c;
+  c.position = {1000, 0, 1000};
+  std::vector<Light> lights(1);
+  lights[0].position = {1000, 0, 990}, lights[0].range = 0.1;
+  const auto radius = [&](const PositionStep& step) { return cut_for(c, {64, 64}, lights, step).reaches.at(0).radius; };
+  EXPECT_LT(radius({}), 0.11);
+  EXPECT_GT(radius({.of_coordinate = 1.0 / 1024}), 1.0);
+  EXPECT_GT(radius({.of_distance = 1.0 / 1024}), 0.109);
+  EXPECT_GT(radius({.world = 0.1}), 0.2);
+}
+
+TEST(LightClusters, TilesGrowWhereADriverHasLittleRoom) {
+  const Camera c = Camera{};
+  std::vector<Light> lights(10);
+  for (size_t i = 0; i < lights.size(); ++i) lights[i].position = {double(i), 0, -20}, lights[i].range = 1;
+  const auto heads = [&](size_t most) {
+    const ClusterGrid g = cut_for(c, {2560, 1440}, lights, {}, most);
+    return static_cast<size_t>(g.tile_count() * (1 + g.slices));
+  };
+  EXPECT_GT(heads(1u << 30), 500000u);
+  EXPECT_LE(heads(32768), 32768u) << "half of what OpenGL promises";
 }
 
 // A tilted plane through a hundred units of space.

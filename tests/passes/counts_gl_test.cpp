@@ -1,6 +1,11 @@
 // What tested, shaded and lit pairs are, and that no count depends on chance, size or number of lights.
+#include <map>
+
 #include "renderer/base/random.h"
+#include "renderer/frame/attachments.h"
 #include "renderer/frame/estimate.h"
+#include "renderer/frame/resolved_frame.h"
+#include "renderer/frame/validate.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {
@@ -98,6 +103,49 @@ TEST_F(Counts, ClustersTestFewMoreLightsThanReachAPixel) {
       EXPECT_GT(lists->entries, 0u);
     }
   }
+}
+
+// Wherever a position is stored and however it is rounded: what reaches it is in the list that its pixel reads.
+TEST_F(Counts, ClustersLoseNoPairWhereverPositionsAreStored) {
+  for (const double origin : {0.0, 900.0}) {
+    const GpuScene scene(std::make_shared<const Scene>(make_yard(origin)));
+    Stage stage(scene);
+    for_each_row<PositionSource>([&](PositionSource source, auto& r) {
+      for (const BackgroundSkip skip : {BackgroundSkip::depth, BackgroundSkip::none}) {
+        Settings s = settings_for(scene, {160, 90});
+        s.lights.method = LightMethod::clustered, s.lights.count = 300, s.lights.range_scale = 1.5;
+        s.position.source = source, s.background.skip = skip;
+        s.camera.far = 60;  // the last walls lie near it
+        if (!validate(s, {gl::device().features}).empty()) return;
+        const PairCounts pairs = stage.pairs(s);
+        EXPECT_GT(pairs.lit.value(), 10000u) << r.id;
+        EXPECT_EQ(pairs.shaded, pairs.lit.value()) << r.id << " " << origin << " " << static_cast<int>(skip);
+      }
+    });
+  }
+}
+
+// Written 12, read 12, and out: presets that fold write no sums and read nothing twice.
+TEST_F(Counts, TrafficIsThatOfTheAttachments) {
+  Stage stage(yard());
+  Settings s = counted(LightMethod::clustered);
+  s.layout = Layout::compact;
+  const auto traffic = [&](AccumulationTargets targets) {
+    s.accumulation = {AccumulationFormat::rgba16f, targets};
+    std::map<std::string, PassTraffic> by_pass;
+    for (const PassTraffic& t : stage.draw(s).traffic) by_pass[t.pass] = t;
+    return by_pass;
+  };
+  auto folded = traffic(AccumulationTargets::folded), split = traffic(AccumulationTargets::split);
+  const int gbuffer = gbuffer_bytes_per_pixel(resolve_frame(s, yard().scene(), {}).settings);
+  EXPECT_EQ(folded["geometry"].written, gbuffer);
+  EXPECT_EQ(folded["geometry"].read, 0);
+  EXPECT_EQ(folded["lighting"].read, gbuffer);
+  EXPECT_EQ(folded["lighting"].written, 16) << "lit";
+  EXPECT_EQ(folded.count("combine"), 0u);
+  EXPECT_EQ(split["lighting"].written, 16) << "two sums in half floats";
+  EXPECT_EQ(split["combine"].read, gbuffer + 16);
+  EXPECT_EQ(split["combine"].written, 16);
 }
 
 // The lighting's draws: all but those of a frame without lights.

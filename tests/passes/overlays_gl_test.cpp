@@ -176,8 +176,13 @@ TEST_F(Laid, ChecksNameTheGravestFault) {
 TEST_F(Laid, TileEdgesStandWhereListsBegin) {
   Stage stage(yard());
   Settings s = settings_for(yard(), {160, 90});
-  s.lights.method = LightMethod::clustered;  // 32 columns: 5 pixels each; 18 rows: 5 pixels each
-  EXPECT_EQ(pixels_of(numbers(stage, View::tile_edges, s), 1), 160u * 90 - 128u * 72);
+  s.lights.method = LightMethod::clustered;
+  const unsigned tile = static_cast<unsigned>(stage.draw(s).lists.value().tile_px);
+  ASSERT_TRUE(tile == 8 || tile == 16) << tile;
+  const unsigned columns = (160 + tile - 1) / tile, rows = (90 + tile - 1) / tile;
+  EXPECT_EQ(pixels_of(numbers(stage, View::tile_edges, s), 1), 160u * 90 - (160 - columns) * (90 - rows));
+  s.lights.count = 0;
+  EXPECT_EQ(pixels_of(numbers(stage, View::tile_edges, s), 1), 0u) << "nothing is listed";
 }
 
 bool same(const Image& a, const Image& b, size_t i) {

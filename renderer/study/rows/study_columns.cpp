@@ -113,6 +113,13 @@ void append_times(std::vector<Cell>& cells, const Timing& timing) {
   }
 }
 
+void append_traffic(std::vector<Cell>& cells, const FrameReport& report) {
+  for (const PassTraffic& t : report.traffic) {
+    cells.push_back({fmt::format("bytes_read_{}", t.pass), Number(t.read)});
+    cells.push_back({fmt::format("bytes_written_{}", t.pass), Number(t.written)});
+  }
+}
+
 }  // namespace
 
 TimeSpread spread_of(std::vector<double> ms) {
@@ -133,6 +140,7 @@ std::vector<Cell> cells_of(const Measurement& m) {
   std::vector<Cell> cells;
   append(cells, study_columns().first(error_columns().size()), m);
   append_times(cells, m.timing);
+  append_traffic(cells, m.report);
   append(cells, study_columns().subspan(error_columns().size()), m);
   return cells;
 }
