@@ -85,7 +85,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
                  "without the reference: no errors, and the GPU counts the pairs that are lit");
     app.add_option("--against", a.against,
                    "PATH=VALUE: time the same with this option in turn and give the ratio; repeatable");
-    app.add_option("--growth", a.growth, "how time and memory grow with lights, pixels, overlap or triangles");
+    app.add_option("--growth", a.growth, "lights, pixels, overlap or triangles: how time and memory grow with it");
     app.add_option("-o,--output", a.output, "folder of the chart of --growth, made if need be (default: none)");
     app.add_flag("--calibrate", a.calibrate,
                  "measure what each kind of work costs on this device, and keep it: lights.method=auto chooses by it");
