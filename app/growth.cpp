@@ -12,12 +12,6 @@
 namespace gbl {
 namespace {
 
-std::vector<double> powers(double from, double to, double factor) {
-  std::vector<double> out;
-  for (double v = from; v <= to * 1.001; v *= factor) out.push_back(v);
-  return out;
-}
-
 // A ball that fills most of the picture, of about so many triangles, with a light before it.
 std::shared_ptr<const Scene> ball_of(double triangles) {
   auto scene = std::make_shared<Scene>();
@@ -45,7 +39,10 @@ double ms_of(const MeasuredColumns& row, const std::string& pass) {
 
 std::span<const GrowthAxis> growth_axes() {
   static const std::vector<GrowthAxis> kAxes = {
-      {"lights", "lights", "16 to 16 384, ranges as the scene has them", powers(16, 16384, 4),
+      {"lights",
+       "lights",
+       "16 to 16 384, ranges as the scene has them",
+       {16, 64, 256, 1024, 4096, 16384},
        [](Settings& s, double v) { s.lights.source = LightSource::generated, s.lights.count = static_cast<int>(v); }},
       {"pixels",
        "pixels",

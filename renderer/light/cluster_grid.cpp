@@ -131,8 +131,8 @@ void find_slices(const Camera& camera, ClusterGrid& grid) {
   for (LightReach& r : grid.reaches) {
     // One to either side: where float arithmetic may see a border.
     const int first = std::max(0, slice_of(r.centre.z - r.radius) - 1);
-    const int last = std::min(grid.slices - 1, slice_of(r.centre.z + r.radius) + 1);
-    r.slices = (~uint64_t{0} >> (63 - last)) & (~uint64_t{0} << first);
+    const int last = std::min(kMostSlices - 1, slice_of(r.centre.z + r.radius) + 1);
+    for (int k = first; k <= last; ++k) r.slices |= uint64_t{1} << k;
   }
 }
 

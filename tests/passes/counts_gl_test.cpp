@@ -213,7 +213,7 @@ TEST_F(Counts, NoMarkIsLeftInTheStencil) {
     Stage stage(yard());
     Settings s = counted(LightMethod::volumes_stencil);
     s.depth.format = format;
-    const auto marks = [&] {
+    const auto marks = [&, texel = texel, at = at] {  // clang 14 captures no bindings
       const std::vector<uint8_t> bytes = stored_bytes(*stage.targets.frame.texture(Stores::light_depth));
       int left = 0;
       for (int i = 0; i < s.size.x * s.size.y; ++i) left += bytes[texel * i + at] != 0;

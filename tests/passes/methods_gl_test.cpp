@@ -266,7 +266,8 @@ TEST_F(Methods, DrawCallsOfOneDrawAreAsManyForAnyNumberOfLights) {
     s.lights.count = kMaxLights;
     EXPECT_EQ(stage.draw(s).draw_calls, one) << row(method).id;
     s.lights.count = 0;
-    EXPECT_EQ(stage.draw(s).draw_calls, one - 1) << row(method).id;
+    const int draws = method == LightMethod::clustered ? 2 : 1;  // it looks at depths first
+    EXPECT_EQ(stage.draw(s).draw_calls, one - draws) << row(method).id;
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<GrowthPoint> curve(double fixed, double each, double power) {
   std::vector<GrowthPoint> out;
-  for (double x = 16; x <= 16384; x *= 4) out.push_back({x, fixed + each * std::pow(x, power)});
+  for (const double x : {16, 64, 256, 1024, 4096, 16384}) out.push_back({x, fixed + each * std::pow(x, power)});
   return out;
 }
 

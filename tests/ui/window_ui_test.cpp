@@ -1,6 +1,7 @@
 // A real window under Xvfb: every key of the table, sent as a user sends it.
 #include <cctype>
 #include <chrono>
+#include <cstring>
 #include <map>
 #include <thread>
 
