@@ -122,7 +122,9 @@ std::string growth_script(const GrowthAxis& axis, std::span<const GrowthRow> row
       fmt::format("set title {}\n", gnuplot_text(fmt::format("Time of a frame against {}: {}", axis.label, subtitle)));
   text += fmt::format("set logscale xy\nset xlabel {}\nset ylabel 'ms'\nset key left top\nset grid\n",
                       gnuplot_text(axis.label));
-  text += "set format x '%.0s %c'\n$rows << EOD\n";
+  const bool prefixes = !rows.empty() && rows.back().x >= 1000;  // 10 k; but a hundredth is not 10 m
+  text += prefixes ? "set format x '%.0s %c'\n" : "set format x '%g'\n";
+  text += "$rows << EOD\n";
   for (const GrowthRow& r : rows) text += fmt::format("{} {} {} {}\n", r.x, r.total_ms, r.geometry_ms, r.rest_ms);
   text += "EOD\nplot ";
   constexpr const char* kCurves[] = {"frame", "fill", "all that follows"};
