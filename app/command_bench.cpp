@@ -1,4 +1,5 @@
 // `bench`: a study of one row, printed.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -200,19 +201,24 @@ std::string bend_of(const GrowthAxis& axis, const std::vector<GrowthPoint>& poin
                                    : fmt::format("begins to go with the {} at {:.4g}", axis.id, *bend);
 }
 
-// What the axis chooses itself.
 void refuse_beside_growth(const Arguments& a, const GrowthAxis& axis) {
-  const std::string_view id = axis.id;
-  const std::pair<bool, const char*> refused[] = {
-      {!a.against.empty(), "--against"},    {a.micro, "--micro"},
-      {a.calibrate, "--calibrate"},         {a.no_truth, "--no-truth"},
-      {a.frames == 0, "--frames 0"},        {a.lights && (id == "lights" || id == "overlap"), "--lights"},
-      {a.size && id == "pixels", "--size"}, {a.scene && axis.scene, "--scene"},
-      {a.camera && axis.scene, "--camera"}};
-  for (const auto& [given, option] : refused)
-    if (given)
-      throw Error(ExitCode::bad_input, "--growth", fmt::format("{} cannot be combined with {}", option, axis.id),
-                  "leave it out");
+  const auto refuse = [&](const char* option) {
+    throw Error(ExitCode::bad_input, "--growth", fmt::format("{} cannot be combined with {}", option, axis.id),
+                "leave it out");
+  };
+  const std::pair<bool, const char*> other_runs[] = {{!a.against.empty(), "--against"},
+                                                     {a.micro, "--micro"},
+                                                     {a.calibrate, "--calibrate"},
+                                                     {a.no_truth, "--no-truth"},
+                                                     {a.frames == 0, "--frames 0"}};
+  for (const auto& [given, option] : other_runs)
+    if (given) refuse(option);
+  const std::pair<bool, const char*> choices[] = {{a.lights.has_value(), "--lights"},
+                                                  {a.size.has_value(), "--size"},
+                                                  {a.scene.has_value(), "--scene"},
+                                                  {a.camera.has_value(), "--camera"}};
+  for (const auto& [given, option] : choices)
+    if (given && std::find(axis.chooses.begin(), axis.chooses.end(), option) != axis.chooses.end()) refuse(option);
 }
 
 ExitCode run_growth(const Arguments& a) {
@@ -229,8 +235,8 @@ ExitCode run_growth(const Arguments& a) {
   lab.open(s.scene);
   constexpr int kFrames = 7;
   if (!a.json)
-    fmt::print("{:>12} {:>9} {:>9} {:>9} {:>13} {:>11} {:>12} {:>10}\n", axis.id, "ms", "fill ms", "rest ms",
-               "tested/pixel", "targets MiB", "resident MiB", "upload ms");
+    fmt::print("{}: {}\n{:>12} {:>9} {:>9} {:>9} {:>13} {:>11} {:>12} {:>10}\n", axis.label, axis.help, axis.id, "ms",
+               "fill ms", "rest ms", "tested/pixel", "targets MiB", "resident MiB", "upload ms");
   const auto say = [&](const GrowthRow& r) {
     if (!a.json)
       fmt::print("{:>12.6g} {:>9.2f} {:>9.2f} {:>9.2f} {:>13.3g} {:>11.1f} {:>12.0f} {:>10.0f}\n", r.x, r.total_ms,

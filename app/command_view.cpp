@@ -247,8 +247,8 @@ class Loop {
 
   void stir() { quiet_frames_ = 0, stirred_s_ = glfwGetTime(); }
 
-  // What is on the screen is drawn already, and nothing can change it but an event, a file that is saved, or the hour.
-  // Then only files are looked at, and no processor works for a window that nobody touches.
+  // What is on the screen is drawn already, and nothing can change it but an event, a file that is saved, or a moment
+  // that was asked for. Then only files are looked at, and no processor works for a window that nobody touches.
   bool resting() {
     const double now = glfwGetTime();
     const bool settled = quiet_frames_ >= kSettledFrames && now - stirred_s_ > kSettledSeconds;

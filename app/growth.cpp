@@ -35,6 +35,14 @@ double ms_of(const MeasuredColumns& row, const std::string& pass) {
   return 0;
 }
 
+double pixels_of(const Settings& s) { return double(s.size.x) * s.size.y; }
+
+std::optional<double> as_set(const Settings&, const FrameReport&, double value) { return value; }
+std::optional<double> lit_per_pixel(const Settings& s, const FrameReport& r, double) {
+  if (!r.pairs || !r.pairs->lit || *r.pairs->lit == 0) return {};
+  return double(*r.pairs->lit) / pixels_of(s);
+}
+
 }  // namespace
 
 std::span<const GrowthAxis> growth_axes() {
@@ -43,14 +51,18 @@ std::span<const GrowthAxis> growth_axes() {
        "lights",
        "16 to 16 384, ranges as the scene has them",
        {16, 64, 256, 1024, 4096, 16384},
-       [](Settings& s, double v) { s.lights.source = LightSource::generated, s.lights.count = static_cast<int>(v); }},
+       [](Settings& s, double v) { s.lights.source = LightSource::generated, s.lights.count = static_cast<int>(v); },
+       as_set,
+       {"--lights"}},
       {"pixels",
        "pixels",
        "0.06 to 8.3 million, 16:9",
        {320, 640, 960, 1280, 1920, 2560, 3840},
        [](Settings& s, double v) {
          s.size = {static_cast<int>(v), static_cast<int>(v) * 9 / 16};
-       }},
+       },
+       [](const Settings& s, const FrameReport&, double) { return std::optional(pixels_of(s)); },
+       {"--size"}},
       {"overlap",
        "lights that reach a pixel, the mean",
        "256 lights, ranges from half to 32 times",
@@ -58,12 +70,16 @@ std::span<const GrowthAxis> growth_axes() {
        [](Settings& s, double v) {
          s.lights.source = LightSource::generated;
          s.lights.count = 256, s.lights.range_scale = v;
-       }},
+       },
+       lit_per_pixel,
+       {"--lights"}},
       {"triangles",
        "triangles",
        "a ball of 1000 to 5 million",
        {1e3, 1e4, 1e5, 1e6, 5e6},
        [](Settings& s, double v) { s.lights.source = LightSource::generated, s.scene = fmt::format("ball:{}", v); },
+       as_set,
+       {"--scene", "--camera"},
        ball_of},
   };
   return kAxes;
@@ -84,7 +100,7 @@ std::vector<GrowthRow> measure_growth(Lab& lab, const Settings& asked, const Gro
   for (const double value : axis.values) {
     Settings s = asked;
     axis.set(s, value);
-    GrowthRow row{.x = axis.id == std::string_view("pixels") ? double(s.size.x) * s.size.y : value};
+    GrowthRow row;
     if (axis.scene) {
       const std::shared_ptr<const Scene> scene = axis.scene(value);
       s.camera = scene->camera;
@@ -101,14 +117,11 @@ std::vector<GrowthRow> measure_growth(Lab& lab, const Settings& asked, const Gro
     row.total_ms = ms_of(measured, "total"), row.geometry_ms = ms_of(measured, "geometry");
     row.rest_ms = row.total_ms - row.geometry_ms;
     const FrameReport& r = bench.report();
-    const double pixels = double(s.size.x) * s.size.y;
-    if (r.pairs) row.tested_per_pixel = double(r.pairs->tested) / pixels;
-    if (axis.id == std::string_view("overlap")) {
-      if (!r.pairs || !r.pairs->lit || *r.pairs->lit == 0) continue;  // nothing is reached: no place on this axis
-      row.x = double(*r.pairs->lit) / pixels;
-    }
-    // Nothing is timed, or everything is reached already: no place on this axis.
-    if (!(row.total_ms > 0) || (!rows.empty() && row.x < 1.01 * rows.back().x)) continue;
+    if (r.pairs) row.tested_per_pixel = double(r.pairs->tested) / pixels_of(s);
+    const std::optional<double> place = axis.place(s, r, value);
+    // Nothing is timed, or everything was reached before: no place on this axis, either.
+    if (!place || !(row.total_ms > 0) || (!rows.empty() && *place < 1.01 * rows.back().x)) continue;
+    row.x = *place;
     row.targets_mib = r.mib, row.resident_mib = double(resident_bytes()) / (1 << 20);
     rows.push_back(row);
     done(row);

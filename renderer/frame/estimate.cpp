@@ -68,7 +68,7 @@ double grown(double share, double cell) {
 // Nearly all clusters, and every pixel reads the light.
 double share_in_clusters(double outline, double thick, double tile) {
   const double share = grown(outline, tile) * std::min(1.0, thick + 1.0 / kMostSlices);
-  return share > 0.875 ? 1 : share;
+  return share > kNearlyAll ? 1 : share;
 }
 
 }  // namespace

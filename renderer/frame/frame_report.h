@@ -15,8 +15,8 @@ struct PassTime {
   std::optional<double> ms;  // empty until the query has answered
 };
 
-// Bytes of a pixel that a pass reads from targets and writes into them, at most, if it does so once. Methods that blend read
-// and write for each pair.
+// Bytes of a pixel that a pass reads from targets and writes into them, at most, if it does so once. Methods that blend
+// read and write for each pair.
 struct PassTraffic {
   std::string pass;
   int read = 0, written = 0;

@@ -11,8 +11,8 @@ struct MeasuredWork {
   double ms = 0;  // of the lighting pass; > 0
 };
 
-// The weights, none below WorkRow::at_least, under which the predicted times are nearest to the measured ones, relative to these. What no
-// measurement tells stays in its proportion to the rest as llvmpipe has it.
+// The weights, none below WorkRow::at_least, under which the predicted times are nearest to the measured ones, relative to
+// these. What no measurement tells stays in its proportion to the rest as llvmpipe has it.
 WorkWeights fit_weights(std::span<const MeasuredWork>);
 
 // How far predictions are off: the median of |predicted / measured - 1|.

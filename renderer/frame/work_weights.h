@@ -33,8 +33,8 @@ struct WorkRow {
   const char* id;
   const char* counts;  // what there is one of
   double at_least;     // units: it holds so many turns
-  double
-      llvmpipe;  // units, as `bench --calibrate` found them on two cores, where a turn took 1.7 ns; fragments as large ones take
+  // Units, as `bench --calibrate` found them on two cores, where a turn took 1.7 ns; of fragments as large lights have them.
+  double llvmpipe;
 };
 // clang-format off
 inline constexpr WorkRow kWork[] = {
@@ -86,7 +86,8 @@ WorkWeights llvmpipe_weights();
 
 double units_of(const WorkCounts&, const WorkWeights&);
 
-// Those that estimates are made with: of the device, as a driver's limits are. llvmpipe's until others are set, before the first frame.
+// Those that estimates are made with: of the device, as a driver's limits are. llvmpipe's until others are set, which is
+// to be before the first frame.
 const WorkWeights& work_weights();
 void use_work_weights(const WorkWeights&);
 

@@ -39,8 +39,8 @@ struct ClusterGrid {
   double light_px = 0;             // a light's width or height, the mean of those in view
   glm::ivec2 tiles{0}, blocks{0};  // columns, rows; the last may stick out of the picture
   int slices = 0;                  // as many as keep a cluster's shape, so fewer with larger tiles
-  // slice = floor(log2(depth) * slice_scale + slice_offset). What is nearer than the first belongs to it; nothing reaches
-  // beyond the last.
+  // slice = floor(log2(depth) * slice_scale + slice_offset). What is nearer than the first belongs to it, what is farther
+  // than the last to that.
   double slice_scale = 0, slice_offset = 0;
   bool orthographic = false;
   // Borders, one more than there are cells. Of tiles as slopes: times the depth, or as they are if orthographic.

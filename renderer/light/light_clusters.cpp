@@ -17,10 +17,6 @@ constexpr uint32_t kTexel = 4;  // words
 // Of a slice: what is so close to a border belongs to both sides, since the shader rounds otherwise.
 constexpr float kBorder = 1e-3f;
 
-// A light that reaches more of the clusters than this is read by all: the few pixels that could have done without it cost
-// less than its lists.
-constexpr double kNearlyAll = 0.875;
-
 // Four numbers side by side (an extension that GCC and Clang share).
 using Four = float __attribute__((vector_size(16)));
 Four smaller(Four a, Four b) { return a < b ? a : b; }

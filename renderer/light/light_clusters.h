@@ -13,6 +13,10 @@ namespace gbl {
 // No more entries in all lists together than this (16 MiB). A light beyond it is not dropped: everywhere() takes it.
 inline constexpr uint32_t kMostClusterEntries = 1u << 22;
 
+// A light that reaches more of the clusters than this is read by all: the few pixels that could have done without it cost
+// less than its lists.
+inline constexpr double kNearlyAll = 0.875;
+
 class LightClusters {
  public:
   // A pure function of its arguments; only the memory of the build before is used again. `blocks`: what is seen of the
