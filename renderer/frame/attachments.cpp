@@ -127,8 +127,9 @@ std::vector<Attachment> attachments(const Settings& s) {
                  s.depth.format == DepthFormat::d32f_reversed ? "window depth 1..0, near to far"
                                                               : "window depth 0..1, near to far"});
   if (!forward) append_light(s, all);
-  all.push_back(
-      {"lit", Pass::combine, Stores::lit, Format::rgba32f, "rgb: linear radiance, unclamped; a: 1 where a surface is"});
+  // Folded, it is the only place where light is kept, and holds it as sums would.
+  all.push_back({"lit", Pass::combine, Stores::lit, folds_light(s) ? format_of(s.accumulation.format) : Format::rgba32f,
+                 "rgb: linear radiance; a: 1 where a surface is"});
   return all;
 }
 

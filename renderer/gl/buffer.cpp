@@ -18,7 +18,7 @@ Buffer make_buffer(GLenum target, const void* data, size_t bytes, std::string_vi
   return b;
 }
 
-VertexArray make_vertex_array(const Buffer& vertices, size_t stride, std::initializer_list<VertexAttribute> attributes,
+VertexArray make_vertex_array(const Buffer& vertices, size_t stride, std::span<const VertexAttribute> attributes,
                               const Buffer* indices) {
   VertexArray v = VertexArray::make();
   glBindVertexArray(v.id());

@@ -1,7 +1,7 @@
 #pragma once
 // Vertex, index and uniform buffers, and the vertex arrays that read them.
 #include <cstddef>
-#include <initializer_list>
+#include <span>
 #include <string_view>
 
 #include "renderer/gl/object.h"
@@ -17,8 +17,9 @@ struct VertexAttribute {
   GLuint location;
   GLint components;  // of float
   size_t offset;     // bytes
+  constexpr size_t bytes() const { return static_cast<size_t>(components) * sizeof(float); }
 };
-VertexArray make_vertex_array(const Buffer& vertices, size_t stride, std::initializer_list<VertexAttribute>,
+VertexArray make_vertex_array(const Buffer& vertices, size_t stride, std::span<const VertexAttribute>,
                               const Buffer* indices);
 VertexArray make_empty_vertex_array();  // for shaders that only read gl_VertexID
 

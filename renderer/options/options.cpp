@@ -278,7 +278,7 @@ const Option kOptions[] = {
   {.path = "lights.volume.fit", .group = Group::method, .label = "Volume fit", .help = "mesh inside or around the sphere", CHOICE(VolumeFit, lights.volume.fit), .use = &kByMeshes},
   {.path = "lights.volume.clip", .group = Group::method, .label = "Volume clip", .help = "whether near and far planes cut a volume", CHOICE(VolumeClip, lights.volume.clip), .use = &kByChosenFaces},
   {.path = "lights.volume.depth", .group = Group::method, .label = "Volume depth test", .help = "whether a volume is tested against the scene's depth", CHOICE(VolumeDepth, lights.volume.depth), .use = &kByChosenFaces},
-  {.path = "accumulation.format", .group = Group::method, .label = "Accumulation", .help = "what light is summed in", .key = "F", CHOICE(AccumulationFormat, accumulation.format), .use = &kByGbuffer},
+  {.path = "accumulation.format", .group = Group::method, .label = "Accumulation", .help = "what light is kept in", .key = "F", CHOICE(AccumulationFormat, accumulation.format), .use = &kByGbuffer},
   {.path = "accumulation.targets", .group = Group::method, .label = "Light targets", .help = "what light is summed into between passes", CHOICE(AccumulationTargets, accumulation.targets), .use = &kByGbuffer},
   {.path = "background.skip", .group = Group::method, .label = "Background skip", .help = "how pixels without a surface are left out", CHOICE(BackgroundSkip, background.skip), .use = &kByGbuffer},
   {.path = "shadow.map-size", .group = Group::method, .label = "Shadow map", .help = "texels to a side", CHOICE(ShadowMapSize, shadow.map_size), .use = &kByShadows},

@@ -9,31 +9,60 @@
 
 namespace gbl {
 
-gl::VertexArray vertex_array_of(const gl::Buffer& vertices, const gl::Buffer* indices) {
-  return gl::make_vertex_array(vertices, sizeof(Vertex),
-                               {{0, 3, offsetof(Vertex, position)},
-                                {1, 3, offsetof(Vertex, normal)},
-                                {2, 4, offsetof(Vertex, tangent)},
-                                {3, 2, offsetof(Vertex, uv)},
-                                {4, 2, offsetof(Vertex, uv1)},
-                                {5, 4, offsetof(Vertex, colour)}},
-                               indices);
-}
-
 namespace {
 
-gl::Buffer upload_vertices(const std::vector<Vertex>& vertices, const std::string& name) {
-  return gl::make_buffer(GL_ARRAY_BUFFER, vertices.data(), vertices.size() * sizeof(Vertex), name);
+constexpr gl::VertexAttribute kAttributes[] = {{0, 3, offsetof(Vertex, position)}, {1, 3, offsetof(Vertex, normal)},
+                                               {2, 4, offsetof(Vertex, tangent)},  {3, 2, offsetof(Vertex, uv)},
+                                               {4, 2, offsetof(Vertex, uv1)},      {5, 4, offsetof(Vertex, colour)}};
+
+// Shaders read these of a mesh that has none.
+const Vertex kPlain{};
+constexpr GLuint kUv1 = 4, kColour = 5;
+void set_plain_attributes() {
+  glVertexAttrib2fv(kUv1, &kPlain.uv1.x);
+  glVertexAttrib4fv(kColour, &kPlain.colour.x);
+}
+
+// In bytes as they are uploaded, without what no vertex differs in from a plain one.
+struct StoredVertices {
+  std::vector<gl::VertexAttribute> attributes;
+  size_t stride = 0;
+  std::vector<std::byte> bytes;
+};
+
+StoredVertices stored(const Mesh& mesh, const std::vector<uint32_t>& order) {
+  const auto any = [&](auto Vertex::*member) {
+    return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
+                       [&](const Vertex& v) { return v.*member != kPlain.*member; });
+  };
+  StoredVertices out;
+  std::vector<size_t> from;
+  for (const gl::VertexAttribute& a : kAttributes) {
+    if ((a.location == kUv1 && !any(&Vertex::uv1)) || (a.location == kColour && !any(&Vertex::colour))) continue;
+    out.attributes.push_back({a.location, a.components, out.stride});
+    from.push_back(a.offset);
+    out.stride += a.bytes();
+  }
+  out.bytes.resize(order.size() * out.stride);
+  std::byte* to = out.bytes.data();
+  for (const uint32_t i : order) {
+    const auto* vertex = reinterpret_cast<const std::byte*>(&mesh.vertices[i]);
+    for (size_t k = 0; k < from.size(); ++k)
+      std::copy_n(vertex + from[k], out.attributes[k].bytes(), to + out.attributes[k].offset);
+    to += out.stride;
+  }
+  return out;
 }
 
 GpuScene::GpuMesh upload(const Mesh& mesh) {
-  GpuScene::GpuMesh m;
-  m.vertices = upload_vertices(mesh.vertices, mesh.name);
   MeshInParts ordered = in_parts(mesh);
-  m.parts = std::move(ordered.parts);
+  const StoredVertices vertices = stored(mesh, ordered.vertices);
+  GpuScene::GpuMesh m;
+  m.vertices = gl::make_buffer(GL_ARRAY_BUFFER, vertices.bytes.data(), vertices.bytes.size(), mesh.name);
   m.indices = gl::make_buffer(GL_ELEMENT_ARRAY_BUFFER, ordered.indices.data(), ordered.indices.size() * 4, mesh.name);
-  m.vertex_array = vertex_array_of(m.vertices, &m.indices);
+  m.vertex_array = gl::make_vertex_array(m.vertices, vertices.stride, vertices.attributes, &m.indices);
   m.index_count = static_cast<GLsizei>(mesh.indices.size());
+  m.parts = std::move(ordered.parts);
   return m;
 }
 
@@ -42,7 +71,7 @@ GpuScene::GpuMesh upload_unshared(const Mesh& mesh, size_t first, size_t end) {
   corners.reserve(end - first);
   for (size_t i = first; i < end; ++i) corners.push_back(mesh.vertices[mesh.indices[i]]);
   GpuScene::GpuMesh m;
-  m.vertices = upload_vertices(corners, mesh.name);
+  m.vertices = gl::make_buffer(GL_ARRAY_BUFFER, corners.data(), corners.size() * sizeof(Vertex), mesh.name);
   m.vertex_array = vertex_array_of(m.vertices, nullptr);
   m.index_count = static_cast<GLsizei>(corners.size());
   return m;
@@ -96,6 +125,10 @@ std::vector<GpuScene::Batch> batched(const Scene& scene) {
 
 }  // namespace
 
+gl::VertexArray vertex_array_of(const gl::Buffer& vertices, const gl::Buffer* indices) {
+  return gl::make_vertex_array(vertices, sizeof(Vertex), kAttributes, indices);
+}
+
 static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) {
   Bounds out = kNoBounds;
   const std::array<glm::dvec3, 8> corners = corners_of(bounds_of(scene.meshes[static_cast<size_t>(batch.mesh)]));
@@ -107,6 +140,7 @@ static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) 
 }
 
 GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+  set_plain_attributes();
   for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m)), mesh_bounds_.push_back(bounds_of(m));
   batches_ = batched(*scene_);
   for (const Batch& b : batches_) batch_bounds_.push_back(bounds_of_batch(*scene_, b));

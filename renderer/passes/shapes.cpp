@@ -12,8 +12,9 @@ GpuVolume upload(const VolumeMesh& mesh) {
       gl::make_buffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(glm::vec3), "volume");
   v.triangles = indices(mesh.triangles, "volume.triangles");
   v.edges = indices(mesh.edges, "volume.edges");
-  v.solid = gl::make_vertex_array(v.vertices, sizeof(glm::vec3), {{0, 3, 0}}, &v.triangles);
-  v.wire = gl::make_vertex_array(v.vertices, sizeof(glm::vec3), {{0, 3, 0}}, &v.edges);
+  const gl::VertexAttribute positions[] = {{0, 3, 0}};
+  v.solid = gl::make_vertex_array(v.vertices, sizeof(glm::vec3), positions, &v.triangles);
+  v.wire = gl::make_vertex_array(v.vertices, sizeof(glm::vec3), positions, &v.edges);
   v.triangle_indices = static_cast<GLsizei>(mesh.triangles.size());
   v.edge_indices = static_cast<GLsizei>(mesh.edges.size());
   return v;

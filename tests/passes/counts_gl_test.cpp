@@ -141,7 +141,7 @@ TEST_F(Counts, TrafficIsThatOfTheAttachments) {
   EXPECT_EQ(folded["geometry"].written, gbuffer);
   EXPECT_EQ(folded["geometry"].read, 0);
   EXPECT_EQ(folded["lighting"].read, gbuffer);
-  EXPECT_EQ(folded["lighting"].written, 16) << "lit";
+  EXPECT_EQ(folded["lighting"].written, 8) << "lit, in half floats";
   EXPECT_EQ(folded.count("combine"), 0u);
   EXPECT_EQ(split["lighting"].written, 16) << "two sums in half floats";
   EXPECT_EQ(split["combine"].read, gbuffer + 16);

@@ -316,6 +316,33 @@ TEST_F(Methods, FoldedLightIsThatOfFloatSums) {
         }
 }
 
+// Rounded once, or cut off: llvmpipe does that.
+TEST_F(Methods, FoldedLightIsStoredInTheFormatOfSums) {
+  const struct {
+    AccumulationFormat format;
+    int mantissa;  // of the narrowest channel
+  } kFormats[] = {{AccumulationFormat::rgba16f, 10}, {AccumulationFormat::r11g11b10f, 5}};
+  Stage& stage = shared_stage(yard());
+  Settings s = settings_for(yard(), {64, 36});
+  s.lights.method = LightMethod::clustered, s.lights.count = 40;
+  s.accumulation = {AccumulationFormat::rgba32f, AccumulationTargets::folded};
+  const Picture exact = stage.lit(s);
+  for (const auto& row : kFormats) {
+    s.accumulation.format = row.format;
+    const Picture rounded = stage.lit(s);
+    const float step = std::ldexp(1.0f, -row.mantissa),
+                least = std::ldexp(1.0f, -14);  // relative; the least normal number
+    bool differs = false;
+    for (size_t i = 0; i < exact.count(); ++i)
+      for (int c = 0; c < 3; ++c) {
+        const float a = exact.texels[i][c], b = rounded.texels[i][c];
+        EXPECT_LE(std::abs(a - b), step * std::max(a, least)) << "pixel " << i << " channel " << c;
+        differs |= a != b;
+      }
+    EXPECT_TRUE(differs) << gbl::row(row.format).id << " must round";
+  }
+}
+
 // What a pair contributes depends on no method, so neither does it on the light's number or neighbours.
 TEST_F(Methods, LightsAddUp) {
   Stage stage(yard());

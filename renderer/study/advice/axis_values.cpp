@@ -38,11 +38,9 @@ Values accumulations(const DeviceLimits& limits) {
   Values out;
   for_sound_rows<AccumulationFormat>(limits, [&](const ValueRow& f) {
     for_sound_rows<AccumulationTargets>(limits, [&](const ValueRow& t) {
-      if (static_cast<AccumulationTargets>(t.value) == AccumulationTargets::folded) return;
       out.push_back({{"accumulation.format", f.id}, {"accumulation.targets", t.id}});
     });
   });
-  out.push_back({{"accumulation.targets", "folded"}});  // stored in no format
   return out;
 }
 
