@@ -4,9 +4,14 @@
 #include "material.glsl"
 #include "shade.glsl"
 
-uniform ivec2 light_span;     // from, to
+uniform ivec2 light_span;     // from, to: all, one or none
 uniform float ambient_share;  // 1 in the draw that brings ambient light and emission
 layout(location = 0) out vec4 radiance;
+
+void add(Lighting some, inout Lighting all) {
+  all.diffuse += some.diffuse;
+  all.specular += some.specular;
+}
 
 void main() {
   place_surface();
@@ -24,11 +29,15 @@ void main() {
 #if !UNLIT
   Receiver r = receiver_of(s);
   Lighting all = Lighting(vec3(0.0), vec3(0.0));
-  for (int i = light_span.x; i < light_span.y; i += LIGHTS_AT_ONCE) {
-    Lighting some = shade(r, read_lights_from(i));
-    all.diffuse += some.diffuse;
-    all.specular += some.specular;
-  }
+#if LIGHTS_AT_ONCE == 4
+  ivec2 fours = light_span.y > 0 ? light_fours() : ivec2(0);
+  for (int i = 0; i < fours.x; ++i) add(shade(r, read_plain_four(i)), all);
+#if MIXED_LIGHTS
+  for (int i = fours.x; i < fours.y; ++i) add(shade(r, read_four(i)), all);
+#endif
+#else
+  for (int i = light_span.x; i < light_span.y; ++i) add(shade(r, read_light(i)), all);
+#endif
   sum = s.albedo * all.diffuse + highlight_scale(r) * all.specular;
 #endif
   sum = ambient_share * (shading.z * s.ambient + s.emissive) + sum * light_scale.y;

@@ -1,11 +1,11 @@
 // Numbers of LIGHTS_AT_ONCE lights side by side, 1 or 4. A light's arithmetic is one long chain in which each step waits
 // for the one before it; with four lights there are other steps to do meanwhile. Four vectors are a matrix, a row each.
 // Sums are written out in one order, so that a light is worth the same bits alone and beside others.
-// Only what loops over more lights than a few takes four, and only where they are all alike: kinds and shadows are of one light.
+// Only what loops over more lights than a few takes four.
 #ifndef LOOPS_OVER_LIGHTS
 #define LOOPS_OVER_LIGHTS 0
 #endif
-#if LOOPS_OVER_LIGHTS && MANY_LIGHTS && !LIGHT_KINDS && !SHADOWS
+#if LOOPS_OVER_LIGHTS && MANY_LIGHTS
 #define LIGHTS_AT_ONCE 4
 #else
 #define LIGHTS_AT_ONCE 1

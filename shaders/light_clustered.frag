@@ -6,7 +6,7 @@ uniform ivec3 cuts;   // binary logarithm of a tile's side in pixels, columns, s
 uniform vec2 slices;  // slice = log2(depth) * x + y
 
 uniform usamplerBuffer light_lists;  // see LightClusters::words(): a texel holds four
-uniform ivec2 everywhere;            // the texel at which that list starts, how long it is
+uniform ivec3 everywhere;            // the texel at which that list starts, how many of its lights are plain, how long it is
 
 // The texel at which the list of a place starts, and how long it is. Depth is the distance along the view axis, whatever
 // the depth buffer holds.
@@ -21,12 +21,16 @@ ivec2 list_of(vec3 position) {
   return listed ? list : ivec2(0);
 }
 
+ivec4 listed_four(int texel, int i) { return ivec4(texelFetch(light_lists, texel + i / 4)); }
+
+// ALL_LISTED_PLAIN: what is no plain light is everywhere.
 Light read_listed(int texel, int i) {
-  ivec4 four = ivec4(texelFetch(light_lists, texel + i / 4));
-#if LIGHTS_AT_ONCE == 4
-  return read_lights(four);
+#if LIGHTS_AT_ONCE == 1
+  return read_light(listed_four(texel, i)[i % 4]);
+#elif ALL_LISTED_PLAIN
+  return read_plain_lights(listed_four(texel, i));
 #else
-  return read_light(four[i % 4]);
+  return read_lights(listed_four(texel, i));
 #endif
 }
 
@@ -42,10 +46,14 @@ void main() {
   Sums sums = no_sums();
   ivec2 own = list_of(s.position);
   own.y = filled_up(own.y);
+  int plain = LIGHTS_AT_ONCE == 4 ? everywhere.y : everywhere.z;
   // One loop for both lists: llvmpipe runs a loop's body once even if no pixel has a turn.
-  for (int i = 0; i < own.y + everywhere.y; i += LIGHTS_AT_ONCE) {
+  for (int i = 0; i < own.y + plain; i += LIGHTS_AT_ONCE) {
     bool is_own = i < own.y;
     test_and_add(r, read_listed(is_own ? own.x : everywhere.x, is_own ? i : i - own.y), sums);
   }
+#if LIGHTS_AT_ONCE == 4 && MIXED_LIGHTS
+  for (int i = everywhere.y; i < everywhere.z; i += 4) test_and_add(r, read_lights(listed_four(everywhere.x, i)), sums);
+#endif
   write_sums(s, r, sums);
 }

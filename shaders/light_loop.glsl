@@ -5,9 +5,5 @@
 // Lights that a method has read: tested, and shaded if any of them reaches the surface.
 void test_and_add(Receiver r, Light some, inout Sums sums) {
   sums.counts.x += 1.0;
-#if LIGHTS_AT_ONCE == 4
-  if (any(lessThan(squares(some.position - in_all_lanes(r.position)), some.range * some.range))) add_light(r, some, sums);
-#else
   if (reaches(some, r.position)) add_light(r, some, sums);
-#endif
 }

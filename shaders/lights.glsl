@@ -2,20 +2,30 @@
 #include "shared.h"
 #include "lanes.glsl"
 
-// One light, or LIGHTS_AT_ONCE of them (lanes.glsl). What only some lights have is read of one light at a time.
+// Have some lights more than a place, a range and a colour? The others are plain: points that fall off as the settings say, without
+// a shadow.
+#define MIXED_LIGHTS (LIGHT_KINDS || SHADOWS)
+
+#if LIGHTS_AT_ONCE == 4
+#define lane_int ivec4
+#else
+#define lane_int int
+#endif
+
+// One light, or LIGHTS_AT_ONCE of them (lanes.glsl).
 struct Light {
   lane3 position;  // relative to the camera, world axes
   lane range;      // no light at or beyond it
   lane profile;    // the range that the falloff is a function of
   lane3 colour;    // times light_scale.x
 #if SHADOWS
-  int shadow_map;  // its first one; -1: none
+  lane_int shadow_map;  // its first one; -1: none
 #endif
 #if LIGHT_KINDS
-  int kind;
-  vec3 direction;              // unit, from the light
-  float inner_cos, outer_cos;  // of a spot; under SPOT_COS_POWER the inner is the cosine's exponent, and no edge
-  vec3 coefficients;           // of its own falloff 1/(x + y d + z d2); all 0: the settings' profile
+  lane_int kind;
+  lane3 direction;            // unit, from the light
+  lane inner_cos, outer_cos;  // of a spot; under SPOT_COS_POWER the inner is the cosine's exponent, and no edge
+  lane3 coefficients;         // of its own falloff 1/(x + y d + z d2); all 0: the settings' profile
 #endif
 };
 
@@ -33,13 +43,67 @@ bool endless(float range, int i) {
 }
 
 #if LIGHTS_AT_ONCE == 4
-Light read_lights(ivec4 i) {
-  i *= LIGHT_TEXELS;
-  mat4 place = transpose(mat4(texelFetch(light_data, i.x), texelFetch(light_data, i.y), texelFetch(light_data, i.z), texelFetch(light_data, i.w)));
-  i += 1;
-  mat4 light = transpose(mat4(texelFetch(light_data, i.x), texelFetch(light_data, i.y), texelFetch(light_data, i.z), texelFetch(light_data, i.w)));
-  return Light(lane3(place[0], place[1], place[2]), place[3], light[3], lane3(light[0], light[1], light[2]));
+mat4 four_texels(samplerBuffer of, ivec4 i) {
+  return transpose(mat4(texelFetch(of, i.x), texelFetch(of, i.y), texelFetch(of, i.z), texelFetch(of, i.w)));
 }
+
+// Of plain lights: the compiler drops whatever else there is to a light.
+Light read_plain_lights(ivec4 i) {
+  mat4 place = four_texels(light_data, i * LIGHT_TEXELS), colour = four_texels(light_data, i * LIGHT_TEXELS + 1);
+  Light some;
+  some.position = lane3(place[0], place[1], place[2]);
+  some.range = place[3];
+  some.profile = colour[3];
+  some.colour = lane3(colour[0], colour[1], colour[2]);
+#if SHADOWS
+  some.shadow_map = ivec4(-1);
+#endif
+#if LIGHT_KINDS
+  some.kind = ivec4(LIGHT_POINT);
+  some.direction = some.coefficients = lane3(0.0);
+  some.inner_cos = some.outer_cos = lane(0.0);
+#endif
+  return some;
+}
+
+Light read_lights(ivec4 i) {
+  Light some = read_plain_lights(i);
+#if MIXED_LIGHTS
+  mat4 trait = four_texels(light_traits, i * LIGHT_TRAIT_TEXELS);
+#if SHADOWS
+  some.shadow_map = ivec4(trait[2]);
+#endif
+#if LIGHT_KINDS
+  mat4 aim = four_texels(light_traits, i * LIGHT_TRAIT_TEXELS + 1), rest = four_texels(light_traits, i * LIGHT_TRAIT_TEXELS + 2);
+  some.kind = ivec4(trait[0]);
+  some.direction = lane3(aim[0], aim[1], aim[2]);
+  some.inner_cos = aim[3];
+  some.outer_cos = rest[0];
+  some.coefficients = lane3(rest[1], rest[2], rest[3]);
+#endif
+#endif
+  return some;
+}
+
+// Is any of them near enough? Whatever a spot's cone.
+bool reaches(Light some, vec3 position) {
+  bvec4 near = lessThan(squares(some.position - in_all_lanes(position)), some.range * some.range);
+#if LIGHT_KINDS
+  near = bvec4(uvec4(near) | uvec4(equal(some.kind, ivec4(LIGHT_DIRECTIONAL))));
+#endif
+  return any(near);
+}
+
+// All lights in fours: to .x plain ones, from there to .y all that are not.
+#if MIXED_LIGHTS
+vec4 light_order(int k) { return texelFetch(light_traits, (lights.x + DARK_LIGHTS) * LIGHT_TRAIT_TEXELS + k); }
+ivec2 light_fours() { return ivec2(light_order(0).xy); }
+Light read_plain_four(int k) { return read_plain_lights(ivec4(light_order(1 + k))); }
+Light read_four(int k) { return read_lights(ivec4(light_order(1 + k))); }
+#else
+ivec2 light_fours() { return ivec2((lights.x + 3) / 4); }
+Light read_plain_four(int k) { return read_plain_lights(4 * k + ivec4(0, 1, 2, 3)); }
+#endif
 #else
 Light read_light(int i) {
   Light light;
@@ -77,12 +141,3 @@ bool reaches(Light light, vec3 position) {
 #endif
 }
 #endif
-
-// In the lights' own order, LIGHTS_AT_ONCE of them: there are DARK_LIGHTS after the last.
-Light read_lights_from(int first) {
-#if LIGHTS_AT_ONCE == 4
-  return read_lights(first + ivec4(0, 1, 2, 3));
-#else
-  return read_light(first);
-#endif
-}

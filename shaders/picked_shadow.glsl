@@ -4,7 +4,7 @@ int map_of_picked(Surface s) {
   if (picked_light < 0) return -1;
   Light light = read_light(picked_light);
   if (light.shadow_map < 0 || !reaches(light, s.position)) return -1;
-  return shadow_map_of(light, s.position);
+  return shadow_map_of(caster_of(light), s.position);
 #else
   return -1;
 #endif

@@ -32,38 +32,59 @@ float shadow_filtered(ivec2 corner, vec2 at, float depth) {
 #endif
 }
 
+// A light as its maps know it.
+struct Caster {
+  int map;  // its first one; -1: none
+#if LIGHT_KINDS
+  int kind;
+#endif
+  vec3 position;
+};
+#if LIGHT_KINDS
+#define CASTER(map, kind, position) Caster(map, kind, position)
+#else
+#define CASTER(map, kind, position) Caster(map, position)
+#endif
+#if LIGHTS_AT_ONCE == 4
+Caster caster_of(Light some, int k) {
+  return CASTER(some.shadow_map[k], some.kind[k], vec3(some.position[0][k], some.position[1][k], some.position[2][k]));
+}
+#else
+Caster caster_of(Light light) { return CASTER(light.shadow_map, light.kind, light.position); }
+#endif
+
 mat4 shadow_matrix(int map) {
   int first = map * SHADOW_MAP_TEXELS;
   return mat4(shadow_record(first), shadow_record(first + 1), shadow_record(first + 2), shadow_record(first + 3));
 }
 
 // Of a point light's six maps.
-int shadow_face(Light light, vec3 position) {
+int shadow_face(Caster light, vec3 position) {
 #if SHADOW_TRIES_FACES
   for (int face = 0; face < 6; ++face) {
-    vec4 clip = shadow_matrix(light.shadow_map + face) * vec4(position, 1.0);
+    vec4 clip = shadow_matrix(light.map + face) * vec4(position, 1.0);
     if (clip.w > 0.0 && all(lessThanEqual(abs(clip.xy), clip.ww))) return face;
   }
 #endif
   return cube_face(position - light.position);
 }
 
-int shadow_map_of(Light light, vec3 position) {
+int shadow_map_of(Caster light, vec3 position) {
 #if LIGHT_KINDS
-  if (light.kind == LIGHT_SPOT) return light.shadow_map;
+  if (light.kind == LIGHT_SPOT) return light.map;
   if (light.kind == LIGHT_DIRECTIONAL) {
     float range = dot(position, ray_forward.xyz);
     for (int k = 0; k < SHADOW_CASCADES - 1; ++k)
-      if (range < shadow_record((light.shadow_map + k) * SHADOW_MAP_TEXELS + 4).w) return light.shadow_map + k;
-    return light.shadow_map + SHADOW_CASCADES - 1;
+      if (range < shadow_record((light.map + k) * SHADOW_MAP_TEXELS + 4).w) return light.map + k;
+    return light.map + SHADOW_CASCADES - 1;
   }
 #endif
-  return light.shadow_map + shadow_face(light, position);
+  return light.map + shadow_face(light, position);
 }
 
 // The point is moved before it is compared, by so many texels of the map as they are large at its place.
-float visibility(Light light, vec3 position, vec3 normal, vec3 to_light) {
-  if (light.shadow_map < 0) return 1.0;
+float visibility(Caster light, vec3 position, vec3 normal, vec3 to_light) {
+  if (light.map < 0) return 1.0;
   int first = shadow_map_of(light, position);
   mat4 clip_from_relative = shadow_matrix(first);
   vec4 rest = shadow_record(first * SHADOW_MAP_TEXELS + 4);

@@ -17,6 +17,7 @@
 //   0: kind, the volume's shape, its first shadow map (-1: none)   1: direction, inner cosine   2: outer cosine, falloff coefficients
 //   3: screen bounds, NDC: x from, y from, x to, y to
 #define LIGHT_TRAIT_TEXELS 4
+// … and after those of the dark lights, where any is special, the order in which fours are read: light_order() of lights.glsl.
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2

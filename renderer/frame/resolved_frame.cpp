@@ -16,6 +16,7 @@ namespace {
 
 // Of so many lights per pixel a loop is as quick one by one as four at once, of which some are dark. (hall, llvmpipe.)
 constexpr double kFewLights = 3;
+constexpr double kFewWithSpecialOnes = 10;  // they are read from four more texels each
 
 constexpr size_t kKept = 4;  // A and B of a comparison, the picture and what is measured beside it
 
@@ -148,6 +149,13 @@ void take_only(ResolvedFrame& f) {
       fmt::format("no light is drawn: lights.only is {}, and there are {} lights", only, f.light_total));
 }
 
+void take_special_lights(ResolvedFrame& f) {
+  for (uint32_t i = 0; i < f.lights.size(); ++i) {
+    const bool has_shadow = !f.shadows.first_map.empty() && f.shadows.first_map[i] >= 0;
+    if (has_shadow || !plain_point(f.lights[i])) f.special_lights.push_back(i);
+  }
+}
+
 }  // namespace
 
 // Half floats end at 65504, a sunlit wall's radiance lies above that, and at 10^-8 they have no digits left. Where the
@@ -173,10 +181,11 @@ ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet fe
   const LightsInView view = lights_in_view(f.settings, f.lights);
   const LightWork work = work_of(f.settings.lights.method, view);
   f.light_work = work.units;
-  f.many_lights = work.tested > kFewLights * view.pixels;
   take_attachments(f);
   take_camera(f);
   take_shadows(f, scene, all, s.camera);
+  take_special_lights(f);
+  f.many_lights = work.tested > (f.special_lights.empty() ? kFewLights : kFewWithSpecialOnes) * view.pixels;
   take_mirrors(f, scene);
   take_tessellated(f, scene);
   f.light_sum_scale = light_sum_scale(f.settings.exposure);

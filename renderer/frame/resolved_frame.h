@@ -18,10 +18,11 @@ struct ResolvedFrame {
   std::string method_reason;         // why lights.method=auto chose the method; empty if it was asked for by name
 
   std::vector<Light> lights;
-  int light_total = 0;       // of which lights.only chose one
-  bool light_kinds = false;  // is any light other than a plain point light?
-  bool many_lights = false;  // a pixel reads more than a few of them
-  double light_work = 0;     // of the lighting pass, in turns of the full-screen loop (renderer/frame/estimate.h)
+  int light_total = 0;                   // of which lights.only chose one
+  bool light_kinds = false;              // is any light other than a plain point light?
+  std::vector<uint32_t> special_lights;  // all but plain point lights without a shadow
+  bool many_lights = false;              // a pixel reads more than a few of them
+  double light_work = 0;  // of the lighting pass, in turns of the full-screen loop (renderer/frame/estimate.h)
 
   std::vector<Attachment> attachments;
   int gbuffer_bytes_per_pixel = 0, accumulation_bytes_per_pixel = 0;

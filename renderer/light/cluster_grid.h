@@ -50,6 +50,8 @@ struct ClusterGrid {
   std::vector<LightReach> reaches;   // of those that reach something in view, in the lights' order
   std::vector<uint32_t> everywhere;  // lights that reach all that can be in view, or have no end
 
+  std::vector<uint32_t> last;  // lights that stand after the others where all are read, ascending
+
   bool operator==(const ClusterGrid&) const = default;
   int tile_count() const { return tiles.x * tiles.y; }
   float end_of_reach() const { return slice_edges.back(); }

@@ -208,7 +208,18 @@ void LightClusters::choose_everywhere(uint32_t most_entries) {
     for (const uint32_t i : widest)
       if (entry_count_ > most_entries && listed_[i]) read_by_all(i);
   }
+  order_everywhere();
+}
+
+void LightClusters::order_everywhere() {
   std::sort(everywhere_.begin(), everywhere_.end());
+  const auto first_of_last = std::stable_partition(everywhere_.begin(), everywhere_.end(), [&](uint32_t light) {
+    return !std::binary_search(grid_.last.begin(), grid_.last.end(), light);
+  });
+  last_ones_everywhere_ = static_cast<size_t>(everywhere_.end() - first_of_last);
+  if (last_ones_everywhere_ == 0) return;
+  const size_t others = everywhere_.size() - last_ones_everywhere_;
+  everywhere_.insert(first_of_last, (kTexel - others % kTexel) % kTexel, grid_.light_count);
 }
 
 void LightClusters::fill() {

@@ -34,7 +34,9 @@ class LightClusters {
 
   // The list that every pixel reads beside its cluster's: the grid's, lights that reach nearly all of the clusters, and
   // the widest of the others while the lists together would be too long.
+  // Where some of grid().last are among them, these stand at the end, from a whole texel on.
   std::span<const uint32_t> everywhere() const { return everywhere_; }
+  size_t last_ones_everywhere() const { return last_ones_everywhere_; }
   uint32_t everywhere_texel() const { return everywhere_texel_; }
 
   const ClusterGrid& grid() const { return grid_; }
@@ -64,6 +66,7 @@ class LightClusters {
   void find_entries(Band&) const;
   void find_entries(Band&, uint32_t reach) const;
   void choose_everywhere(uint32_t most_entries);
+  void order_everywhere();
   void fill();
 
   ClusterGrid grid_;
@@ -79,6 +82,7 @@ class LightClusters {
   std::vector<Band> bands_;
   std::vector<char> listed_;  // of each reach
   std::vector<uint32_t> everywhere_, words_;
+  size_t last_ones_everywhere_ = 0;
 };
 
 }  // namespace gbl

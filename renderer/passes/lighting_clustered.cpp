@@ -76,8 +76,9 @@ std::vector<DepthSpan> seen_depths(Frame& frame, const ClusterGrid& grid) {
 int prepare_clusters(Frame& frame) {
   ClusterTargets& t = frame.targets().clusters;
   const Stopwatch cutting;
-  const ClusterGrid grid = cut_for(frame.settings.camera, frame.settings.size, frame.lights(),
-                                   position_step(frame.settings.position), most_heads());
+  ClusterGrid grid = cut_for(frame.settings.camera, frame.settings.size, frame.lights(),
+                             position_step(frame.settings.position), most_heads());
+  grid.last = frame.resolved.special_lights;
   const double cut_ms = cutting.ms();
   const std::vector<DepthSpan> seen = seen_depths(frame, grid);
   const Stopwatch listing;
@@ -92,14 +93,17 @@ int prepare_clusters(Frame& frame) {
 int draw_clustered_lights(const LightingPass& pass) {
   const Frame& frame = pass.frame;
   const LightClusters& clusters = frame.targets().clusters.clusters;
-  const gl::Program& program = frame.programs.get("fullscreen.vert", "light_clustered.frag", pass.defines());
+  gl::Defines defines = pass.defines();
+  defines.push_back({"ALL_LISTED_PLAIN", clusters.last_ones_everywhere() == frame.resolved.special_lights.size()});
+  const gl::Program& program = frame.programs.get("fullscreen.vert", "light_clustered.frag", defines);
   glUseProgram(program.id());
   const ClusterGrid& grid = clusters.grid();
   glUniform3i(program.uniform("cuts"), std::countr_zero(static_cast<unsigned>(grid.tile_px)), grid.tiles.x,
               grid.slices);
   glUniform2f(program.uniform("slices"), static_cast<float>(grid.slice_scale), static_cast<float>(grid.slice_offset));
-  glUniform2i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_texel()),
-              static_cast<int>(clusters.everywhere().size()));
+  const size_t all = clusters.everywhere().size(), plain = all - clusters.last_ones_everywhere();
+  glUniform3i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_texel()), static_cast<int>(plain),
+              static_cast<int>(all));
   gl::bind_texels("light_lists", frame.targets().clusters.lists);
   frame.shapes.draw_fullscreen();
   return 1;

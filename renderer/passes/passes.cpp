@@ -1,5 +1,7 @@
 #include "renderer/passes/passes.h"
 
+#include <algorithm>
+
 #include "renderer/gl/pass_state.h"
 #include "renderer/inspect/views.h"
 #include "renderer/light/light_bounds.h"
@@ -133,6 +135,24 @@ static_assert(static_cast<int>(VolumeShape::sphere) == VOLUME_SPHERE &&
               static_cast<int>(VolumeShape::cone) == VOLUME_CONE &&
               static_cast<int>(VolumeShape::screen) == VOLUME_SCREEN);
 
+// After a texel that says how many texels hold plain lights, and how many are filled in all: plain lights, then the special ones,
+// four to a texel, filled up with dark ones.
+static void append_light_order(const Frame& frame, std::vector<glm::vec4>& traits) {
+  const std::vector<uint32_t>& special = frame.resolved.special_lights;
+  if (special.empty()) return;
+  const auto dark = static_cast<float>(frame.lights().size());
+  std::vector<float> order;
+  const auto fill_up = [&] { order.resize((order.size() + 3) / 4 * 4, dark); };
+  for (uint32_t i = 0; i < frame.lights().size(); ++i)
+    if (!std::binary_search(special.begin(), special.end(), i)) order.push_back(static_cast<float>(i));
+  fill_up();
+  const auto plain_fours = static_cast<float>(order.size() / 4);
+  order.insert(order.end(), special.begin(), special.end());
+  fill_up();
+  traits.emplace_back(plain_fours, static_cast<float>(order.size() / 4), 0, 0);
+  for (size_t i = 0; i < order.size(); i += 4) traits.emplace_back(order[i], order[i + 1], order[i + 2], order[i + 3]);
+}
+
 void upload_lights(Frame& frame) {
   const bool reads_bounds = frame.settings.lights.method == LightMethod::quads;
   const std::vector<int>& first_maps = frame.resolved.shadows.first_map;
@@ -149,6 +169,9 @@ void upload_lights(Frame& frame) {
     traits.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
   data.resize(data.size() + LIGHT_TEXELS * DARK_LIGHTS, glm::vec4(0));
+  for (int i = 0; i < DARK_LIGHTS; ++i)
+    traits.insert(traits.end(), {{LIGHT_POINT, VOLUME_SPHERE, -1, 0}, glm::vec4(0), glm::vec4(0), glm::vec4(0)});
+  append_light_order(frame, traits);
   upload_records(frame.targets().uploads.light_data, data, "light_data", "lights");
   upload_records(frame.targets().uploads.light_traits, traits, "light_traits", "lights' traits");
 }

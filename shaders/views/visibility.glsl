@@ -10,7 +10,7 @@ vec3 value(ivec2 texel) {
   to_light = normalize(to_light);
   if (!reaches(light, s.position) || dot(s.normal, to_light) <= 0.0) return vec3(0.0);
 #if SHADOWS
-  return vec3(visibility(light, s.position, s.normal, to_light));
+  return vec3(visibility(caster_of(light), s.position, s.normal, to_light));
 #else
   return vec3(1.0);  // no light has a map: it passes through everything
 #endif

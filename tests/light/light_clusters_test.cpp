@@ -326,6 +326,23 @@ TEST(LightClusters, AWideLightIsReadEverywhereAndANarrowOneIsNot) {
   EXPECT_TRUE(clusters.everywhere().empty());
 }
 
+TEST(LightClusters, WhatIsToStandLastDoesSoFromAWholeTexelOn) {
+  const Surfaces s{.camera = {}, .size = {64, 48}};
+  std::vector<Light> lights(11);
+  for (Light& l : lights) l.range = kEndless;
+  ClusterGrid grid = cut_for(s.camera, s.size, lights);
+  grid.last = {2, 7};
+  LightClusters clusters;
+  clusters.build(grid, s.blocks(grid));
+  const std::vector<uint32_t> others = {0, 1, 3, 4, 5, 6, 8, 9, 10};
+  std::vector<uint32_t> expected = others;
+  expected.resize(12, 11);  // no light
+  expected.insert(expected.end(), {2, 7});
+  const std::span<const uint32_t> everywhere = clusters.everywhere();
+  EXPECT_EQ(std::vector(everywhere.begin(), everywhere.end()), expected);
+  EXPECT_EQ(clusters.last_ones_everywhere(), 2u);
+}
+
 TEST(LightClusters, MemoryIsBoundedAndNoLightIsDropped) {
   Settings s = preset("start").make();
   s.lights.count = kMaxLights;

@@ -136,8 +136,8 @@ TEST_F(Methods, EverySoundOneGivesTheFullScreenPictureOfTheYardFromAnywhere) {
   }
 }
 
-// The yard with lights of its own: spots from needles to floods, most drawn as cones; a few points; a spot and a sun
-// without end.
+// The yard with lights of its own: spots from needles to floods, most drawn as cones; a few points; some with a falloff of their own; a
+// spot and a sun without end.
 Scene yard_of_spots(uint32_t seed) {
   Scene scene = make_yard();
   Pcg32 random(seed);
@@ -150,6 +150,7 @@ Scene yard_of_spots(uint32_t seed) {
     l.direction = glm::normalize(glm::dvec3(random.in(-1, 1), random.in(-1, 0.3), random.in(-1, 1)));
     const double outer = i % 4 ? random.in(5, 59) : i % 8 ? random.in(0.2, 5) : random.in(61, 89);
     l.outer_cos = std::cos(glm::radians(outer)), l.inner_cos = std::cos(glm::radians(outer * random.in(0, 1)));
+    if (i % 9 == 4) l.coefficients = {1, random.in(0, 1), random.in(0, 0.5)};
     scene.lights.push_back(l);
   }
   scene.lights[0].range = kEndless;
