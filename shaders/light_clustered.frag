@@ -6,7 +6,7 @@ uniform ivec3 cuts;   // binary logarithm of a tile's side in pixels, columns, s
 uniform vec2 slices;  // slice = log2(depth) * x + y
 
 uniform usamplerBuffer light_lists;  // see LightClusters::words(): a texel holds four
-uniform ivec3 everywhere;            // the texel at which that list starts, how many of its lights are plain, how long it is
+uniform ivec4 everywhere;            // the texel at which that list starts, how many plain lights come first, the same filled up, how long it is
 
 // The texel at which the list of a place starts, and how long it is. Depth is the distance along the view axis, whatever
 // the depth buffer holds.
@@ -46,14 +46,22 @@ void main() {
   Sums sums = no_sums();
   ivec2 own = list_of(s.position);
   own.y = filled_up(own.y);
-  int plain = LIGHTS_AT_ONCE == 4 ? everywhere.y : everywhere.z;
+#if LIGHTS_AT_ONCE == 4
+  int by_all = everywhere.z;
+#else
+  int by_all = everywhere.w - (everywhere.z - everywhere.y);
+#endif
   // One loop for both lists: llvmpipe runs a loop's body once even if no pixel has a turn.
-  for (int i = 0; i < own.y + plain; i += LIGHTS_AT_ONCE) {
+  for (int i = 0; i < own.y + by_all; i += LIGHTS_AT_ONCE) {
     bool is_own = i < own.y;
-    test_and_add(r, read_listed(is_own ? own.x : everywhere.x, is_own ? i : i - own.y), sums);
+    int k = is_own ? i : i - own.y;
+#if LIGHTS_AT_ONCE == 1
+    if (!is_own && k >= everywhere.y) k += everywhere.z - everywhere.y;
+#endif
+    test_and_add(r, read_listed(is_own ? own.x : everywhere.x, k), sums);
   }
 #if LIGHTS_AT_ONCE == 4 && MIXED_LIGHTS
-  for (int i = everywhere.y; i < everywhere.z; i += 4) test_and_add(r, read_lights(listed_four(everywhere.x, i)), sums);
+  for (int i = everywhere.z; i < everywhere.w; i += 4) test_and_add(r, read_lights(listed_four(everywhere.x, i)), sums);
 #endif
   write_sums(s, r, sums);
 }

@@ -15,9 +15,10 @@
 #define DARK_LIGHTS 4
 // … and the rest:
 //   0: kind, the volume's shape, its first shadow map (-1: none)   1: direction, inner cosine   2: outer cosine, falloff coefficients
-//   3: screen bounds, NDC: x from, y from, x to, y to
-#define LIGHT_TRAIT_TEXELS 4
-// … and after those of the dark lights, where any is special, the order in which fours are read: light_order() of lights.glsl.
+#define LIGHT_TRAIT_TEXELS 3
+// After the dark lights, where a method asks: of each light its screen bounds (NDC: x from, y from, x to, y to). After their traits, where
+// any light is special: the order in which fours are read, light_order() of lights.glsl. Both tables then hold 65536 texels at most, as
+// many as every driver has (OpenGL 3.3, table 6.45: MAX_TEXTURE_BUFFER_SIZE).
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2

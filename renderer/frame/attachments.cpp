@@ -111,6 +111,14 @@ bool normal_in_material(const Settings& s) {
          normal.bits() <= layout_of(s).normal_bits;
 }
 
+// Half floats end at 65504, a sunlit wall's radiance lies above that, and at 10^-8 they have no digits left. Where the
+// exposure says that radiance is so far from the display's range, sums are stored in its units; a power of two changes
+// no other bit. (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", section 5.1.2, pre-exposure.)
+double light_sum_scale(double exposure) {
+  constexpr double kAsItIs = 256;
+  return exposure >= 1 / kAsItIs && exposure <= kAsItIs ? 1 : std::exp2(std::round(std::log2(exposure)));
+}
+
 std::vector<Attachment> attachments(const Settings& s) {
   std::vector<Attachment> all;
   const bool forward = shading_of(s.lights.method) == Shading::forward;
@@ -127,9 +135,12 @@ std::vector<Attachment> attachments(const Settings& s) {
                  s.depth.format == DepthFormat::d32f_reversed ? "window depth 1..0, near to far"
                                                               : "window depth 0..1, near to far"});
   if (!forward) append_light(s, all);
-  // Folded, it is the only place where light is kept, and holds it as sums would.
-  all.push_back({"lit", Pass::combine, Stores::lit, folds_light(s) ? format_of(s.accumulation.format) : Format::rgba32f,
-                 "rgb: linear radiance; a: 1 where a surface is"});
+  // Folded, it is the only place where light is kept, and holds it as sums would. It is radiance as it is: where that would not
+  // fit into few bits it is kept in floats.
+  all.push_back(
+      {"lit", Pass::combine, Stores::lit,
+       folds_light(s) && light_sum_scale(s.exposure) == 1 ? format_of(s.accumulation.format) : Format::rgba32f,
+       "rgb: linear radiance"});
   return all;
 }
 

@@ -16,7 +16,8 @@ const Attachment* find(const std::vector<Attachment>&, Stores);
 
 // Does the sum of light already hold ambient and emission when lighting begins?
 bool sum_begins_in_geometry(const Settings&);
-bool folds_light(const Settings&);  // the light pass finishes the picture: see accumulation.targets
+double light_sum_scale(double exposure);  // what sums of light are stored times
+bool folds_light(const Settings&);        // the light pass finishes the picture: see accumulation.targets
 
 // Does a pass of these settings mark pixels? Then the depth attachment carries a stencil buffer.
 bool needs_stencil(const Settings&);

@@ -33,7 +33,8 @@ struct ListReport {
   int tile_px = 0;      // a tile's side
   double light_px = 0;  // a light's width, the mean of those in view
   uint64_t entries = 0;
-  int everywhere = 0;  // lights that every pixel reads
+  int everywhere = 0;   // lights that every pixel reads
+  bool looked = false;  // was it found out where surfaces are?
   double ms = 0;  // of the CPU, when they were last made: they are kept while nothing moves; without waiting for depths
 };
 

@@ -158,14 +158,6 @@ void take_special_lights(ResolvedFrame& f) {
 
 }  // namespace
 
-// Half floats end at 65504, a sunlit wall's radiance lies above that, and at 10^-8 they have no digits left. Where the
-// exposure says that radiance is so far from the display's range, sums are stored in its units; a power of two changes
-// no other bit. (Lagarde and de Rousiers 2014, "Moving Frostbite to PBR", section 5.1.2, pre-exposure.)
-double light_sum_scale(double exposure) {
-  constexpr double kAsItIs = 256;
-  return exposure >= 1 / kAsItIs && exposure <= kAsItIs ? 1 : std::exp2(std::round(std::log2(exposure)));
-}
-
 ResolvedFrame resolve_frame(const Settings& s, const Scene& scene, FeatureSet features) {
   Resolved resolved = resolve(s, scene);
   choose_depth(resolved, scene, features);

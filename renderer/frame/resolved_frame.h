@@ -57,9 +57,6 @@ struct ResolvedFrame {
 inline long long tessellated_triangles(int level) { return (3LL * level * level + 1) / 2; }
 inline constexpr long long kMostTessellated = 1'000'000;  // of a frame: 216 bytes each
 
-// What the sums of light are stored times.
-double light_sum_scale(double exposure);
-
 ResolvedFrame resolve_frame(const Settings&, const Scene&, FeatureSet);
 
 // The frames resolved last: one is worked out anew only when its settings, its scene or its rig's file have changed.

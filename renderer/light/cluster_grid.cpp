@@ -102,7 +102,23 @@ void find_lights(const View& view, glm::ivec2 size, std::span<const Light> light
   }
 }
 
-int slices_for(int tile) { return std::min(kMostSlices, kMostSlices * kTile / tile); }
+// Looking at depths takes as long as some tests per pixel (bench, hall, llvmpipe; a GPU's wait is longer). It saves at most one for
+// each pixel that a light covers.
+constexpr double kLookingTakes = 3;
+
+double covered_pixels(const ClusterGrid& grid) {
+  double sum = 0;
+  for (const LightReach& r : grid.reaches) {
+    const glm::dvec2 pixels = r.last_pixel - r.first_pixel + 1;
+    sum += pixels.x * pixels.y;
+  }
+  return sum;
+}
+
+int slices_for(int tile, bool looks) {
+  constexpr int kUnseen = 8;  // each stands in each tile
+  return looks ? std::min(kMostSlices, kMostSlices * kTile / tile) : kUnseen;
+}
 
 // From the nearest to the farthest point that any light reaches: elsewhere no list is needed.
 void find_slices(const Camera& camera, ClusterGrid& grid) {
@@ -114,7 +130,7 @@ void find_slices(const Camera& camera, ClusterGrid& grid) {
   farthest = std::min(farthest, camera.far);
   nearest = std::max({nearest, camera.near, farthest * kNearestPart});
   const double octaves = std::max(1.0, std::log2(farthest / nearest));
-  grid.slices = slices_for(grid.tile_px);
+  grid.slices = slices_for(grid.tile_px, grid.looks);
   grid.slice_scale = grid.slices / octaves;
   grid.slice_offset = -std::log2(nearest) * grid.slice_scale;
   grid.slice_edges.assign(1, 0.0f);
@@ -153,14 +169,15 @@ double mean_light_px(const ClusterGrid& grid) {
   return grid.reaches.empty() ? 0 : sum / double(grid.reaches.size());
 }
 
-size_t heads(glm::ivec2 size, int tile) {
+size_t heads(glm::ivec2 size, int tile, bool looks) {
   const glm::ivec2 tiles = (size + tile - 1) / tile;
-  return static_cast<size_t>(tiles.x) * static_cast<size_t>(tiles.y) * static_cast<size_t>(1 + slices_for(tile));
+  return static_cast<size_t>(tiles.x) * static_cast<size_t>(tiles.y) * static_cast<size_t>(1 + slices_for(tile, looks));
 }
 
 int tile_for(const ClusterGrid& grid, glm::ivec2 size, size_t most_heads) {
   int tile = grid.light_px < kWideLight * kTile ? kSmallTile : kTile;
-  while (tile < kLargestTile && (visits(grid, tile) > kMostVisits || heads(size, tile) > most_heads)) tile *= 2;
+  while (tile < kLargestTile && (visits(grid, tile) > kMostVisits || heads(size, tile, grid.looks) > most_heads))
+    tile *= 2;
   return tile;
 }
 
@@ -178,6 +195,7 @@ ClusterGrid cut_for(const Camera& camera, glm::ivec2 size, std::span<const Light
   ClusterGrid grid{.orthographic = camera.orthographic(), .light_count = static_cast<uint32_t>(lights.size())};
   find_lights(view, size, lights, grid);
   grid.light_px = mean_light_px(grid);
+  grid.looks = covered_pixels(grid) > kLookingTakes * size.x * size.y;
   grid.tile_px = grid.reaches.empty() ? kLargestTile : tile_for(grid, size, most_heads);
   find_slices(camera, grid);
   grid.tiles = (size + grid.tile_px - 1) / grid.tile_px;

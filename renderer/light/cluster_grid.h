@@ -36,7 +36,9 @@ struct LightReach {
 
 struct ClusterGrid {
   int tile_px = 0;
-  double light_px = 0;             // a light's width or height, the mean of those in view
+  double light_px = 0;  // a light's width or height, the mean of those in view
+  // Is it worth the wait to find out where surfaces are? Else lists are of few, whole clusters.
+  bool looks = false;
   glm::ivec2 tiles{0}, blocks{0};  // columns, rows; the last may stick out of the picture
   int slices = 0;                  // as many as keep a cluster's shape, so fewer with larger tiles
   // slice = floor(log2(depth) * slice_scale + slice_offset). What is nearer than the first belongs to it, what is farther

@@ -213,6 +213,7 @@ void LightClusters::choose_everywhere(uint32_t most_entries) {
 
 void LightClusters::order_everywhere() {
   std::sort(everywhere_.begin(), everywhere_.end());
+  everywhere_count_ = everywhere_.size();
   const auto first_of_last = std::stable_partition(everywhere_.begin(), everywhere_.end(), [&](uint32_t light) {
     return !std::binary_search(grid_.last.begin(), grid_.last.end(), light);
   });

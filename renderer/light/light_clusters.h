@@ -36,6 +36,7 @@ class LightClusters {
   // the widest of the others while the lists together would be too long.
   // Where some of grid().last are among them, these stand at the end, from a whole texel on.
   std::span<const uint32_t> everywhere() const { return everywhere_; }
+  size_t everywhere_count() const { return everywhere_count_; }  // of lights
   size_t last_ones_everywhere() const { return last_ones_everywhere_; }
   uint32_t everywhere_texel() const { return everywhere_texel_; }
 
@@ -82,7 +83,7 @@ class LightClusters {
   std::vector<Band> bands_;
   std::vector<char> listed_;  // of each reach
   std::vector<uint32_t> everywhere_, words_;
-  size_t last_ones_everywhere_ = 0;
+  size_t everywhere_count_ = 0, last_ones_everywhere_ = 0;
 };
 
 }  // namespace gbl

@@ -63,8 +63,8 @@ FrameReport report_of(const ResolvedFrame& f, const Settings& asked, const Targe
 
 ListReport lists_of(const ClusterTargets& t) {
   const ClusterGrid& grid = t.clusters.grid();
-  return {grid.tile_px, grid.light_px, t.clusters.entry_count(), static_cast<int>(t.clusters.everywhere().size()),
-          t.ms};
+  return {grid.tile_px, grid.light_px, t.clusters.entry_count(), static_cast<int>(t.clusters.everywhere_count()),
+          grid.looks,   t.ms};
 }
 
 // `written`: a bit for each of what passes before this one have stored.

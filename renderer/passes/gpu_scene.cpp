@@ -15,13 +15,8 @@ constexpr gl::VertexAttribute kAttributes[] = {{0, 3, offsetof(Vertex, position)
                                                {2, 4, offsetof(Vertex, tangent)},  {3, 2, offsetof(Vertex, uv)},
                                                {4, 2, offsetof(Vertex, uv1)},      {5, 4, offsetof(Vertex, colour)}};
 
-// Shaders read these of a mesh that has none.
 const Vertex kPlain{};
 constexpr GLuint kUv1 = 4, kColour = 5;
-void set_plain_attributes() {
-  glVertexAttrib2fv(kUv1, &kPlain.uv1.x);
-  glVertexAttrib4fv(kColour, &kPlain.colour.x);
-}
 
 // In bytes as they are uploaded, without what no vertex differs in from a plain one.
 struct StoredVertices {
@@ -129,6 +124,12 @@ gl::VertexArray vertex_array_of(const gl::Buffer& vertices, const gl::Buffer* in
   return gl::make_vertex_array(vertices, sizeof(Vertex), kAttributes, indices);
 }
 
+void GpuScene::GpuMesh::bind() const {
+  glVertexAttrib2fv(kUv1, &kPlain.uv1.x);
+  glVertexAttrib4fv(kColour, &kPlain.colour.x);
+  glBindVertexArray(vertex_array.id());
+}
+
 static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) {
   Bounds out = kNoBounds;
   const std::array<glm::dvec3, 8> corners = corners_of(bounds_of(scene.meshes[static_cast<size_t>(batch.mesh)]));
@@ -140,7 +141,6 @@ static Bounds bounds_of_batch(const Scene& scene, const GpuScene::Batch& batch) 
 }
 
 GpuScene::GpuScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
-  set_plain_attributes();
   for (const Mesh& m : scene_->meshes) meshes_.push_back(upload(m)), mesh_bounds_.push_back(bounds_of(m));
   batches_ = batched(*scene_);
   for (const Batch& b : batches_) batch_bounds_.push_back(bounds_of_batch(*scene_, b));

@@ -25,6 +25,9 @@ class GpuScene {
     gl::VertexArray vertex_array;
     GLsizei index_count = 0;
     std::vector<MeshPart> parts;  // of the indices; none of what has no indices
+    // To be drawn: shaders read a plain vertex' colour and coordinates of a mesh that stores none. GL forgets them at each
+    // draw of a mesh that does.
+    void bind() const;
   };
   const GpuMesh& mesh(int i) const { return meshes_[i]; }
   const Bounds& mesh_bounds(int i) const {

@@ -1,5 +1,5 @@
 // Lists of lights per cluster: a small pass finds where surfaces are, the CPU lists the lights that reach them, and one
-// full-screen pass reads the lists. The CPU waits for the first pass.
+// full-screen pass reads the lists. The CPU waits for the first pass, which is left out where it does not pay.
 #include <algorithm>
 #include <bit>
 #include <chrono>
@@ -28,7 +28,7 @@ size_t most_heads() { return most_words() / kWords / 2; }  // the other half is 
 // As many as a buffer of this driver holds beside the heads; lights beyond them are read by every pixel.
 uint32_t most_entries(const ClusterGrid& grid) {
   const size_t heads = static_cast<size_t>(grid.tile_count() * (1 + grid.slices)), filled_up = (kWords - 1) * heads;
-  const size_t words = most_words(), taken = kWords * heads + filled_up + grid.light_count + kWords;
+  const size_t words = most_words(), taken = kWords * heads + filled_up + grid.light_count + 2 * kWords;
   return static_cast<uint32_t>(std::min<size_t>(kMostClusterEntries, words - std::min(words, taken)));
 }
 
@@ -58,9 +58,18 @@ void draw_depths(Frame& frame, const ClusterGrid& grid, const Canvas& into) {
   frame.shapes.draw_fullscreen();
 }
 
-// Of each block. They are not looked at where no light would be listed.
+// As if a surface could be anywhere.
+std::vector<DepthSpan> all_depths(const ClusterGrid& grid) {
+  std::vector<DepthSpan> spans(kSpans * static_cast<size_t>(grid.blocks.x * grid.blocks.y));
+  double farthest = 0;  // beyond the last light nothing needs a list
+  for (const LightReach& r : grid.reaches) farthest = std::max(farthest, r.centre.z + r.radius);
+  const float end = std::min(grid.end_of_reach(), static_cast<float>(farthest * (1 + 1e-6)));
+  for (size_t i = 0; i < spans.size(); i += kSpans) spans[i] = {grid.slice_edges.front(), end};
+  return spans;
+}
+
+// Of each block.
 std::vector<DepthSpan> seen_depths(Frame& frame, const ClusterGrid& grid) {
-  if (grid.reaches.empty()) return std::vector<DepthSpan>(kSpans * static_cast<size_t>(grid.blocks.x * grid.blocks.y));
   std::optional<Canvas>& depths = frame.targets().clusters.depths;
   if (!depths || depths->texture.size != grid.blocks)
     depths = make_canvas({.size = grid.blocks, .format = Format::rgba32f, .label = "block depths"});
@@ -80,9 +89,9 @@ int prepare_clusters(Frame& frame) {
                              position_step(frame.settings.position), most_heads());
   grid.last = frame.resolved.special_lights;
   const double cut_ms = cutting.ms();
-  const std::vector<DepthSpan> seen = seen_depths(frame, grid);
+  const std::vector<DepthSpan> seen = grid.looks ? seen_depths(frame, grid) : all_depths(grid);
   const Stopwatch listing;
-  const int draws = grid.reaches.empty() ? 0 : 1;
+  const int draws = grid.looks ? 1 : 0;
   if (!t.clusters.build(grid, seen, most_entries(grid))) return draws;
   const std::span<const uint32_t> words = t.clusters.words();
   gl::write_texels(t.lists, Format::rgba32ui, words.data(), words.size() / 4, "light lists");
@@ -101,8 +110,9 @@ int draw_clustered_lights(const LightingPass& pass) {
   glUniform3i(program.uniform("cuts"), std::countr_zero(static_cast<unsigned>(grid.tile_px)), grid.tiles.x,
               grid.slices);
   glUniform2f(program.uniform("slices"), static_cast<float>(grid.slice_scale), static_cast<float>(grid.slice_offset));
-  const size_t all = clusters.everywhere().size(), plain = all - clusters.last_ones_everywhere();
-  glUniform3i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_texel()), static_cast<int>(plain),
+  const size_t all = clusters.everywhere().size(), last = clusters.last_ones_everywhere();
+  glUniform4i(program.uniform("everywhere"), static_cast<int>(clusters.everywhere_texel()),
+              static_cast<int>(clusters.everywhere_count() - last), static_cast<int>(all - last),
               static_cast<int>(all));
   gl::bind_texels("light_lists", frame.targets().clusters.lists);
   frame.shapes.draw_fullscreen();

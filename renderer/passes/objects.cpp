@@ -314,7 +314,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
       continue;
     }
     const GpuScene::GpuMesh& mesh = frame.scene.mesh(draw.batch->mesh);
-    glBindVertexArray(mesh.vertex_array.id());
+    mesh.bind();
     if (draw.object >= 0 && mesh.parts.size() > 1)
       draw_parts_in_view(frame, mesh, draw);
     else

@@ -154,7 +154,6 @@ static void append_light_order(const Frame& frame, std::vector<glm::vec4>& trait
 }
 
 void upload_lights(Frame& frame) {
-  const bool reads_bounds = frame.settings.lights.method == LightMethod::quads;
   const std::vector<int>& first_maps = frame.resolved.shadows.first_map;
   std::vector<glm::vec4>&data = frame.targets().uploads.record_texels, traits;
   data.clear();
@@ -166,11 +165,12 @@ void upload_lights(Frame& frame) {
     traits.emplace_back(static_cast<int>(l.kind), static_cast<int>(volume_shape(l)), first_map, 0);
     traits.emplace_back(l.direction, l.inner_cos);
     traits.emplace_back(l.outer_cos, l.coefficients);
-    traits.push_back(reads_bounds ? drawn_bounds(frame, l) : glm::vec4(-1, -1, 1, 1));
   }
   data.resize(data.size() + LIGHT_TEXELS * DARK_LIGHTS, glm::vec4(0));
   for (int i = 0; i < DARK_LIGHTS; ++i)
-    traits.insert(traits.end(), {{LIGHT_POINT, VOLUME_SPHERE, -1, 0}, glm::vec4(0), glm::vec4(0), glm::vec4(0)});
+    traits.insert(traits.end(), {{LIGHT_POINT, VOLUME_SPHERE, -1, 0}, glm::vec4(0), glm::vec4(0)});
+  if (frame.settings.lights.method == LightMethod::quads)
+    for (const Light& l : frame.lights()) data.push_back(drawn_bounds(frame, l));
   append_light_order(frame, traits);
   upload_records(frame.targets().uploads.light_data, data, "light_data", "lights");
   upload_records(frame.targets().uploads.light_traits, traits, "light_traits", "lights' traits");

@@ -65,7 +65,7 @@ Tessellation::Object Tessellation::capture(ProgramCache& programs, const Resolve
   glUniformMatrix3fv(program.uniform("object_from_world"), 1, GL_FALSE, glm::value_ptr(object_from_world));
 
   const GpuScene::GpuMesh& patches = gpu.mesh(in.mesh);
-  glBindVertexArray(patches.vertex_array.id());
+  patches.bind();
   glPatchParameteri(GL_PATCH_VERTICES, 3);
   glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, out.captured.id());
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, out.corners.id());

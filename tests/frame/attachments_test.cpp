@@ -129,6 +129,20 @@ TEST(GbufferLayout, EveryCombinationStoresEachThingOnceUnderItsOwnName) {
   EXPECT_EQ(combinations, expected);
 }
 
+// Folded, light is kept in the format of sums, but for radiance that half floats cannot hold: no sum is scaled then.
+TEST(GbufferLayout, FoldedLightIsKeptInTheFormatOfSumsWhereItFits) {
+  Settings s = preset("compact").make();
+  s.lights.method = LightMethod::clustered;
+  const auto lit = [&] { return find(attachments(s), Stores::lit)->format; };
+  EXPECT_EQ(lit(), Format::rgba16f);
+  s.exposure = 1e-5;
+  EXPECT_EQ(lit(), Format::rgba32f);
+  s.exposure = 1, s.accumulation.format = AccumulationFormat::r11g11b10f;
+  EXPECT_EQ(lit(), Format::r11g11b10f);
+  s.accumulation.targets = AccumulationTargets::split;
+  EXPECT_EQ(lit(), Format::rgba32f);
+}
+
 // The stencil method's marks lie beside the depth, in the G-buffer too: a depth is copied between equal formats alone.
 TEST(GbufferLayout, StencilComesWithItsMethodAndACopyOfTheDepthWithAnyDepthTest) {
   Settings s = preset("start").make();
