@@ -104,6 +104,7 @@ void Bench::judge() {
 MeasuredColumns Bench::row() const { return {cells_of({report_, errors_, timing_, machine_}), report_.drawn}; }
 
 Image Bench::picture() {
+  renderer_.render(settings_, *scene_, targets_);  // judging left a frame without lights
   renderer_.draw_view(View::final, settings_, *scene_, targets_);
   const gl::Texture& t = targets_.canvases.drawn_view(View::final)->texture;
   return image_from_gl_rows(t.size, gl::read_rgba8(t));

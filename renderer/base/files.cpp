@@ -87,6 +87,15 @@ std::string read_text_file(const fs::path& path, size_t most) {
   return text;
 }
 
+void require_plausible(const fs::path& path, size_t unpacked_bytes, size_t most_times) {
+  std::error_code none;
+  const auto bytes = static_cast<size_t>(fs::file_size(path, none));
+  if (none || unpacked_bytes / most_times <= bytes) return;
+  throw Error(ExitCode::bad_input, path.string(),
+              fmt::format("claims {} bytes of pixels, more than its {} bytes can hold", unpacked_bytes, bytes),
+              "it is cut short, or no picture");
+}
+
 void write_file(const fs::path& path, const std::function<void(std::FILE*)>& write) {
   TemporaryFile file(path);
   try {

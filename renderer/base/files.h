@@ -13,6 +13,10 @@ inline constexpr size_t kMostTextBytes = size_t(256) << 20;
 // Error(bad_input): cannot be read, is empty, or is longer than `most` (a device such as /dev/zero never ends).
 std::string read_text_file(const std::filesystem::path&, size_t most = kMostTextBytes);
 
+// Error(bad_input) if so small a file cannot hold so much, packed `most_times` as small: the size that a file claims is not to be believed
+// before memory is taken for it.
+void require_plausible(const std::filesystem::path&, size_t unpacked_bytes, size_t most_times);
+
 // Writes beside the target under a name that nobody else has, and renames once all of it is on disk: nobody ever sees
 // half a file, and of two programs that write the same one the last wins. Error(unfinished), and the old file stays.
 void write_file(const std::filesystem::path&, const std::function<void(std::FILE*)>& write);

@@ -3,7 +3,6 @@
 #include <bit>
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
-#include <ranges>
 
 #include "renderer/gbuffer/normal_code.h"
 #include "renderer/picture/srgb.h"
@@ -54,7 +53,7 @@ std::string binary_of(const BitRuns& runs, CodeKind kind, uint32_t code) {
       append(0, f.fraction, ' ');
       return text;
     }
-  for (const BitRun& r : std::ranges::reverse_view(runs)) append(r.holds, r.bits, '|');
+  for (auto r = runs.rbegin(); r != runs.rend(); ++r) append(r->holds, r->bits, '|');
   return text;
 }
 

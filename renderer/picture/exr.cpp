@@ -84,8 +84,10 @@ ExrPicture read_exr(const std::filesystem::path& path) {
     const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
     if (width < 1 || height < 1 || width > kMostAcross || height > kMostAcross)
       throw refuse(fmt::format("is {} x {} pixels large", width, height));
+    const auto pixels = static_cast<size_t>(width * height);
+    require_plausible(path, pixels * sizeof(glm::vec3), 1 << 14);  // what is flat is packed densely
     ExrPicture out{{static_cast<int>(width), static_cast<int>(height)}, {}};
-    out.rgb.resize(static_cast<size_t>(width * height));
+    out.rgb.resize(pixels);
     Imf::FrameBuffer buffer;
     auto* first = reinterpret_cast<char*>(out.rgb.data());
     // The library counts from the origin, wherever the window begins.

@@ -6,6 +6,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/base/random.h"
+#include "tests/gltf/gltf_fixture.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -49,6 +50,15 @@ TEST(Png, ReadsBackWhatWasWritten) {
     EXPECT_TRUE(read_png(folder / "a.png") == image) << size.x << "x" << size.y;
   }
   EXPECT_EQ(entries(folder.path()), 1);  // no temporary file is left
+}
+
+// Memory is taken for what a file can hold, not for what it claims.
+TEST(Png, ASmallFileCannotClaimAHugePicture) {
+  const TemporaryFolder folder("png");
+  const test::Bytes claims = test::png(16384, 16384, 8, 2, {1, 2, 3});
+  put(folder / "a.png", {reinterpret_cast<const char*>(claims.data()), claims.size()});
+  EXPECT_TRUE(
+      contains(error_line(ExitCode::bad_input, [&] { read_png(folder / "a.png"); }), "claims 1073741824 bytes"));
 }
 
 TEST(Png, IsOpaqueWhateverTheAlpha) {
