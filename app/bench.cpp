@@ -74,6 +74,7 @@ void Bench::time_a_frame() {
   slowest_s_ = std::max(slowest_s_, end - begin);
   ++timing_.frames;
   timing_.pass_ms["wall"].push_back((end - begin) * 1e3);
+  timing_.pass_ms["upload"].push_back(report_.upload_ms);
   timing_.pass_ms["submission"].push_back((submitted - begin) * 1e3);
   timing_.pass_ms["cpu"].push_back((cpu_end - cpu_begin) * 1e3);
   double total = 0;

@@ -42,6 +42,7 @@ struct FrameReport {
   glm::ivec2 size{0};                // as drawn
   std::vector<PassTime> passes;      // in the order drawn
   std::vector<PassTraffic> traffic;  // of those passes that have any
+  double upload_ms = 0;              // of the CPU, for the frame's constants and lights
   std::string time_source;           // "gpu-query", "software-rasteriser" or "cpu-clock"
   std::optional<PairCounts> pairs;
   std::optional<ListReport> lists;

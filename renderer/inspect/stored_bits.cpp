@@ -1,5 +1,6 @@
 #include "renderer/inspect/stored_bits.h"
 
+#include <algorithm>
 #include <bit>
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
@@ -53,7 +54,7 @@ std::string binary_of(const BitRuns& runs, CodeKind kind, uint32_t code) {
       append(0, f.fraction, ' ');
       return text;
     }
-  for (auto r = runs.rbegin(); r != runs.rend(); ++r) append(r->holds, r->bits, '|');
+  std::for_each(runs.rbegin(), runs.rend(), [&](const BitRun& r) { append(r.holds, r.bits, '|'); });
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "renderer/base/stopwatch.h"
 #include "renderer/gbuffer/layouts.h"
 #include "renderer/gl/device.h"
 #include "renderer/passes/frame_block.h"
@@ -109,9 +110,12 @@ FrameReport Renderer::render(const Settings& asked, const GpuScene& scene, Targe
   }
   // As it was resolved above: the frames in mirrors may have pushed it out of the resolver's memory.
   Frame frame(resolved, asked.view, scene, targets, programs_, shapes_);
+  const Stopwatch uploading;
   upload_frame_block(frame);
   upload_lights(frame);
+  const double upload_ms = uploading.ms();
   FrameReport report = report_of(*resolved, asked, targets);
+  report.upload_ms = upload_ms;
   report.draw_calls = calls_before;
   unsigned written = 0;
   for (const PassRow& pass : kPasses) {

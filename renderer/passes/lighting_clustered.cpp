@@ -2,23 +2,14 @@
 // full-screen pass reads the lists. The CPU waits for the first pass, which is left out where it does not pay.
 #include <algorithm>
 #include <bit>
-#include <chrono>
 
+#include "renderer/base/stopwatch.h"
 #include "renderer/gl/device.h"
 #include "renderer/gl/readback.h"
 #include "renderer/passes/lighting.h"
 
 namespace gbl {
 namespace {
-
-class Stopwatch {
- public:
-  double ms() const { return std::chrono::duration<double, std::milli>(Clock::now() - begun_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begun_ = Clock::now();
-};
 
 constexpr size_t kWords = 4;  // of a texel
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <meshoptimizer.h>
+#include <span>
 
 namespace gbl {
 namespace {
