@@ -165,6 +165,14 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     add_number(app, "--limit", a.limit_s, "seconds that one answer may take (default: 60)", 0.1, 86400);
     app.add_flag("--here", a.here, "judge in this process and not in one of its own")->needs(check)->group("");
   }
+  if (command == "info") {
+    CLI::Option* report = app.add_option(
+        "--report", a.report,
+        "draw twelve pictures, judge them by the reference, and write all that a bug report needs to this file");
+    app.add_option("--table", a.reports, "such files as one Markdown table; nothing is drawn")
+        ->excludes(report)
+        ->excludes(json);
+  }
   if (command == "list") {
     CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");
     app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what)->excludes(json);

@@ -4,6 +4,7 @@
 
 #include "app/calibration.h"
 #include "app/commands.h"
+#include "app/driver_report.h"
 #include "app/headless.h"
 #include "renderer/base/json.h"
 #include "renderer/gl/device.h"
@@ -50,11 +51,16 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
 }  // namespace
 
 ExitCode run_info(const Arguments& a) {
+  if (!a.reports.empty()) {
+    fmt::print("{}", driver_table(a.reports));
+    return ExitCode::done;
+  }
   const HeadlessContext context;
   const FeatureSet off = without_of(a);
   const gl::Device d = gl::probe_device(off);
   const gl::RoundingProbe rounding = gl::probe_rounding();
   const Json j = info_json(d, rounding, off);
+  if (a.report) return write_driver_report(*a.report, j, off, a.json);
   if (a.json) {
     fmt::print("{}\n", j.dump(2));
     return ExitCode::done;

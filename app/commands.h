@@ -54,16 +54,18 @@ struct Arguments {
   bool present = false, fresh = false;
   std::string lesson, pitfall;  // of `view`: open this one
   std::optional<int> frames;    // `view`: draw so many and leave, 0: until closed; `bench`: time so many, 0: none
-  std::optional<std::filesystem::path> grade;  // … a class's folder
-  bool csv = false;                            // … as a table
-  std::optional<double> limit_s;               // … seconds for one answer
-  bool here = false;                           // … judged in this process
-  bool no_truth = false;                       // of `bench`: without the reference
-  std::string growth;                          // … how time grows along this axis
-  bool calibrate = false;                      // … what each kind of work costs on this device
-  bool micro = false;                          // … what one pair costs
-  std::vector<std::string> against;            // … the same with these options, in turn
-  std::optional<std::filesystem::path> docs;   // of `list`: the folder of the documents' tables
+  std::optional<std::filesystem::path> grade;   // … a class's folder
+  bool csv = false;                             // … as a table
+  std::optional<double> limit_s;                // … seconds for one answer
+  bool here = false;                            // … judged in this process
+  bool no_truth = false;                        // of `bench`: without the reference
+  std::string growth;                           // … how time grows along this axis
+  bool calibrate = false;                       // … what each kind of work costs on this device
+  bool micro = false;                           // … what one pair costs
+  std::vector<std::string> against;             // … the same with these options, in turn
+  std::optional<std::filesystem::path> docs;    // of `list`: the folder of the documents' tables
+  std::optional<std::filesystem::path> report;  // of `info`
+  std::vector<std::filesystem::path> reports;   // of `info`: such files as a table
 };
 
 // Parses; prints help and exits as CLI11 does. Throws Error(bad_input).

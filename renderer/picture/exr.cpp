@@ -7,13 +7,16 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <fmt/format.h>
+#include <fstream>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/picture/exr_header.h"
 
 namespace gbl {
 namespace {
@@ -73,12 +76,24 @@ void write_exr(const std::filesystem::path& path, glm::ivec2 size, const std::ve
   });
 }
 
+static std::string read_start(const std::filesystem::path& path, size_t most) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(std::min<size_t>(most, std::filesystem::file_size(path)), '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return bytes;
+}
+
 ExrPicture read_exr(const std::filesystem::path& path) {
-  constexpr int64_t kMostAcross = 16384;  // pixels: as for a PNG
+  constexpr size_t kMostHeader = size_t(1) << 20;  // bytes
+  constexpr int kMostAcross = 16384;               // pixels: as for a PNG
   const auto refuse = [&](const std::string& what) {
     return Error(ExitCode::bad_input, path.string(), what, "give an OpenEXR file with channels R, G and B");
   };
   try {
+    require_sound_exr_header(read_start(path, kMostHeader), std::filesystem::file_size(path), path.string());
+    // The library takes memory for what a header claims before it can be asked how much that is.
+    Imf::Header::setMaxImageSize(kMostAcross, kMostAcross);
+    Imf::Header::setMaxTileSize(kMostAcross, kMostAcross);
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;

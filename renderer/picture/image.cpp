@@ -88,11 +88,29 @@ void encode_png(std::FILE* file, const PngHead& head, Row row) {
 
 constexpr png_uint_32 kMaxSide = 16384;  // pixels: the largest frame and texture
 
+// libpng takes memory for what a chunk claims before it reads it: none may claim more than is left of the file.
+void require_whole_chunks(std::FILE* file, const fs::path& path) {
+  const long begin = std::ftell(file);
+  std::fseek(file, 0, SEEK_END);
+  const long end = std::ftell(file);
+  constexpr long kAround = 12;  // length, name and sum
+  uint8_t length[4] = {};
+  for (long at = begin; at + kAround <= end;) {
+    std::fseek(file, at, SEEK_SET);
+    if (std::fread(length, 1, 4, file) != 4) break;
+    const long bytes = static_cast<long>(png_get_uint_32(length));
+    if (bytes > end - at - kAround) throw Error(ExitCode::bad_input, path.string(), "is cut short, or no PNG");
+    at += kAround + bytes;
+  }
+  std::fseek(file, begin, SEEK_SET);
+}
+
 struct PngReader {
   explicit PngReader(const fs::path& path) : file(std::fopen(path.c_str(), "rb")) {
     uint8_t magic[8] = {};
     if (!file || std::fread(magic, 1, 8, file.get()) != 8 || png_sig_cmp(magic, 0, 8) != 0)
       throw Error(ExitCode::bad_input, path.string(), "is not a PNG that can be read");
+    require_whole_chunks(file.get(), path);
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, on_png_error, on_png_warning);
     info = png_create_info_struct(png);
     png_init_io(png, file.get());
