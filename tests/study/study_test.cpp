@@ -130,8 +130,9 @@ TEST(RunStudy, TellsHowFarItIs) {
   Desk desk;
   run_study(plan_of(1), {}, desk.journal, measure, {}, kOn);
   std::vector<StudyProgress> told;
+  const StudyPlan plan = plan_of(4);  // what is told points into it
   run_study(
-      plan_of(4), {}, desk.journal, measure_but_the_third, [&](const StudyProgress& p) { told.push_back(p); }, kOn);
+      plan, {}, desk.journal, measure_but_the_third, [&](const StudyProgress& p) { told.push_back(p); }, kOn);
   ASSERT_EQ(told.size(), 4u);  // before each of three, and at the end
   EXPECT_EQ(told[0].done, 1u);
   EXPECT_EQ(told[0].total, 4u);
