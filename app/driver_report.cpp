@@ -30,18 +30,19 @@ void print_result(const SelfTestResult& r) {
 
 ExitCode write_driver_report(const std::filesystem::path& file, Json info, FeatureSet off, bool quiet) {
   Lab lab(off);
-  const std::vector<SelfTestResult> results = run_self_test(lab, [&](const SelfTestResult& r) {
-    if (!quiet) print_result(r);
-  });
   info["made_by"] = made_by();
   info["self_test"] = Json::array();
+  // Anew after each picture: a driver may end the program.
+  const auto write = [&] { write_text_file(file, info.dump(2) + "\n"); };
+  write();
   size_t drawn = 0, hold = 0;
-  for (const SelfTestResult& r : results) {
+  run_self_test(lab, [&](const SelfTestResult& r) {
+    if (!quiet) print_result(r);
     info["self_test"].push_back(to_json(r));
+    write();
     drawn += r.skipped.empty() ? 1u : 0u;
     hold += r.holds() ? 1u : 0u;
-  }
-  write_text_file(file, info.dump(2) + "\n");
+  });
   const bool all_hold = hold == drawn && drawn > 0;
   if (quiet) return all_hold ? ExitCode::done : ExitCode::check_failed;
   fmt::print("\n{} of {} pictures hold{}\n{}\n", hold, drawn,
@@ -71,6 +72,7 @@ DriverRow row_of(const Json& report, const std::map<std::string, std::string>& f
     const auto other = first.find(id);
     row.drawn += 1;
     row.hold += picture.at("holds").get<bool>() ? 1 : 0;
+    if (picture.contains("failed")) continue;
     row.same += other != first.end() && other->second == picture.at("hash").get<std::string>() ? 1 : 0;
     row.flip = std::max(row.flip, picture.at("flip_mean").get<double>());
   }

@@ -61,21 +61,23 @@ void measure(Lab& lab, const Settings& s, SelfTestResult& out) {
   bench.step(true);
   const Errors& e = bench.errors();
   out.hash = hash_of(bench.picture());
-  out.flip_mean = e.flip_mean.value_or(1);
-  out.off_pixels = e.over_1_255_display.value_or(1);
-  out.nonfinite_pixels = e.nonfinite_pixels.value_or(0);
+  if (!e.flip_mean || !e.over_1_255_display || !e.nonfinite_pixels) {
+    out.failed = "no pixel shows a surface";
+    return;
+  }
+  out.flip_mean = *e.flip_mean, out.off_pixels = *e.over_1_255_display, out.nonfinite_pixels = *e.nonfinite_pixels;
 }
 
 SelfTestResult tested(Lab& lab, const SelfTestRow& row) {
   SelfTestResult out{.id = row.id, .what = row.what, .flip_at_most = row.flip_at_most};
-  const Settings s = settings_of(row, lab);
-  require_valid(s, all_of_it());
-  if (const std::vector<Problem> problems = validate(s, lab.limits()); !problems.empty()) {
-    out.skipped = problems.front().sentence;
-    return out;
-  }
   try {
-    measure(lab, s, out);
+    const Settings s = settings_of(row, lab);
+    require_valid(s, all_of_it());
+    const std::vector<Problem> problems = validate(s, lab.limits());
+    if (problems.empty())
+      measure(lab, s, out);
+    else
+      out.skipped = problems.front().sentence;
   } catch (const Error& e) {
     out.failed = e.what();
   }
@@ -99,13 +101,16 @@ Json to_json(const SelfTestResult& r) {
     json["skipped"] = r.skipped;
     return json;
   }
-  if (!r.failed.empty()) json["failed"] = r.failed;
+  json["holds"] = r.holds();
+  if (!r.failed.empty()) {
+    json["failed"] = r.failed;
+    return json;
+  }
   json["hash"] = r.hash;
   json["flip_mean"] = r.flip_mean;
   json["flip_at_most"] = r.flip_at_most;
   json["over_1_255_display"] = r.off_pixels;
   json["nonfinite_pixels"] = r.nonfinite_pixels;
-  json["holds"] = r.holds();
   return json;
 }
 

@@ -21,7 +21,9 @@ draw() {
   done
   if (($# > 0)); then shift; fi
   echo "== $name"
-  if ! env "${variables[@]}" "$program" info 2>&1 | grep "^device .*$device" >/dev/null; then
+  local said status=0
+  said=$(env "${variables[@]}" "$program" info 2>&1) || status=$?
+  if ((status == 3)) || { ((status == 0)) && ! grep -q "^device .*$device" <<<"$said"; }; then  # 3: no usable GL
     echo "skipped: it cannot be loaded here"
     return
   fi

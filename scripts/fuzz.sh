@@ -7,7 +7,7 @@ set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
 if ! command -v clang++ >/dev/null; then
-  echo "skipped: no clang++ here; install clang and libclang-rt-dev"
+  echo "skipped: no clang++ here; packages.txt names what it needs, under [slow]"
   exit 77
 fi
 seconds=${1:-60}

@@ -12,13 +12,11 @@ Receiver receiver_of(Surface s) {
 vec3 highlight_scale(Receiver r) { return highlight_scale(r, shading.x >= 0.0); }
 
 #if LIGHTS_AT_ONCE == 4
-#define lane_bool bvec4
 bvec4 above(vec4 a, float b) { return greaterThan(a, vec4(b)); }
 bvec4 is(ivec4 a, int b) { return equal(a, ivec4(b)); }
 vec4 chosen(bvec4 which, vec4 a, vec4 b) { return mix(b, a, which); }
 mat3x4 chosen(bvec4 which, mat3x4 a, mat3x4 b) { return mat3x4(mix(b[0], a[0], which), mix(b[1], a[1], which), mix(b[2], a[2], which)); }
 #else
-#define lane_bool bool
 bool above(float a, float b) { return a > b; }
 bool is(int a, int b) { return a == b; }
 float chosen(bool which, float a, float b) { return which ? a : b; }

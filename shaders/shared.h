@@ -17,8 +17,8 @@
 //   0: kind, the volume's shape, its first shadow map (-1: none)   1: direction, inner cosine   2: outer cosine, falloff coefficients
 #define LIGHT_TRAIT_TEXELS 3
 // After the dark lights, where a method asks: of each light its screen bounds (NDC: x from, y from, x to, y to). After their traits, where
-// any light is special: the order in which fours are read, light_order() of lights.glsl. Both tables then hold 65536 texels at most, as
-// many as every driver has (OpenGL 3.3, table 6.45: MAX_TEXTURE_BUFFER_SIZE).
+// any light is special: the order in which fours are read, light_order() of lights.glsl. Neither table then holds more than 65536 texels,
+// the least that MAX_TEXTURE_BUFFER_SIZE may be.
 #define LIGHT_POINT 0
 #define LIGHT_SPOT 1
 #define LIGHT_DIRECTIONAL 2

@@ -16,7 +16,7 @@ namespace {
 
 // Of so many lights per pixel a loop is as quick one by one as four at once, of which some are dark. (hall, llvmpipe.)
 constexpr double kFewLights = 3;
-constexpr double kFewWithSpecialOnes = 10;  // they are read from four more texels each
+constexpr double kFewWithSpecialOnes = 10;  // they are read from three more texels each
 
 constexpr size_t kKept = 4;  // A and B of a comparison, the picture and what is measured beside it
 

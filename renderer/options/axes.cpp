@@ -59,7 +59,7 @@ constexpr ValueRow kAccumulationFormat[] = {
 constexpr ValueRow kAccumulationTargets[] = {
   {.value = at(AccumulationTargets::one), .id = "one", .label = "one target", .help = "albedo x diffuse + specular is summed: one blend per light, nothing to look at apart"},
   {.value = at(AccumulationTargets::split), .id = "split", .label = "diffuse | specular", .help = "two targets: each can be seen, albedo is multiplied once", .cost = "2 targets"},
-  {.value = at(AccumulationTargets::folded), .id = "folded", .label = "none: folded", .help = "a method that reads each pixel once finishes the picture, and light is kept there alone, in this format; others blend into targets as ever"},
+  {.value = at(AccumulationTargets::folded), .id = "folded", .label = "none: folded", .help = "a method that reads each pixel once finishes the picture, and light is kept there alone, in accumulation.format; others blend into targets as ever"},
 };
 constexpr ValueRow kBackgroundSkip[] = {
   {.value = at(BackgroundSkip::depth), .id = "depth", .label = "by depth", .help = "a pixel at the far value has no surface and is not shaded"},

@@ -29,7 +29,8 @@ Settings start() {
   return s;
 }
 
-// The smallest layout whose error a class cannot see: light is summed within one run of a shader and never stored.
+// The smallest layout whose error a class cannot see: light is summed within one run of a shader and stored once, in
+// half floats.
 Settings compact() {
   Settings s = start();
   s.lights.seed = 1, s.exposure = 1;  // as what docs/findings.md says of these two was measured

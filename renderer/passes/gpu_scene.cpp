@@ -11,12 +11,12 @@ namespace gbl {
 
 namespace {
 
-constexpr gl::VertexAttribute kAttributes[] = {{0, 3, offsetof(Vertex, position)}, {1, 3, offsetof(Vertex, normal)},
-                                               {2, 4, offsetof(Vertex, tangent)},  {3, 2, offsetof(Vertex, uv)},
-                                               {4, 2, offsetof(Vertex, uv1)},      {5, 4, offsetof(Vertex, colour)}};
+constexpr GLuint kUv1 = 4, kColour = 5;  // what a mesh may do without
+constexpr gl::VertexAttribute kAttributes[] = {
+    {0, 3, offsetof(Vertex, position)}, {1, 3, offsetof(Vertex, normal)}, {2, 4, offsetof(Vertex, tangent)},
+    {3, 2, offsetof(Vertex, uv)},       {kUv1, 2, offsetof(Vertex, uv1)}, {kColour, 4, offsetof(Vertex, colour)}};
 
 const Vertex kPlain{};
-constexpr GLuint kUv1 = 4, kColour = 5;
 
 // In bytes as they are uploaded, without what no vertex differs in from a plain one.
 struct StoredVertices {

@@ -84,8 +84,8 @@ static std::string read_start(const std::filesystem::path& path, size_t most) {
 }
 
 ExrPicture read_exr(const std::filesystem::path& path) {
-  constexpr size_t kMostHeader = size_t(1) << 20;  // bytes
-  constexpr int kMostAcross = 16384;               // pixels: as for a PNG
+  constexpr size_t kMostHeader = size_t(16) << 20;  // bytes: a preview may be in it
+  constexpr int kMostAcross = 16384;                // pixels: as for a PNG
   const auto refuse = [&](const std::string& what) {
     return Error(ExitCode::bad_input, path.string(), what, "give an OpenEXR file with channels R, G and B");
   };

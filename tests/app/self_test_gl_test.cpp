@@ -85,6 +85,11 @@ TEST(DriverTable, ComparesWithTheFirst) {
   EXPECT_TRUE(contains(table, "| one | 4.5, one | 2 | 1 | 2 | 0.50000 |  |")) << table;
   EXPECT_TRUE(contains(table, "| two | 4.5, two | 1 | 1 | 1 | 0.25000 | tiled |")) << table;
   EXPECT_TRUE(contains(table, "| three | 4.5, three | 2 | 1 | 1 | 0.50000 |  |")) << table;
+  write_text_file(
+      folder / "four.json",
+      R"({"gl": "4.5", "device": "four", "self_test": [{"id": "exact", "failed": "a shader", "holds": false}]})");
+  EXPECT_TRUE(contains(driver_table({folder / "four.json", folder / "four.json"}), "| four | 4.5, four | 1 | 0 | 0 |"))
+      << "what was not drawn equals nothing";
   write_text_file(folder / "no.json", "{\"self_test\": 3}");
   EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [&] { driver_table({folder / "no.json"}); }), "no.json"));
 }

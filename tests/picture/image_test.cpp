@@ -61,6 +61,17 @@ TEST(Png, ASmallFileCannotClaimAHugePicture) {
       contains(error_line(ExitCode::bad_input, [&] { read_png(folder / "a.png"); }), "claims 1073741824 bytes"));
 }
 
+TEST(Png, AChunkCannotClaimMoreThanTheFile) {
+  const TemporaryFolder folder("png");
+  const test::Bytes whole = test::png(1, 1, 8, 2, {0, 1, 2, 3});
+  std::string bytes(whole.begin(), whole.begin() + 33);  // signature and IHDR
+  bytes += from_hex("5c000050") + "tEXt" + std::string(64, 'x');
+  put(folder / "a.png", bytes);
+  for (const auto& read : {std::function([&] { read_png(folder / "a.png"); }),
+                           std::function([&] { read_png_text(folder / "a.png", kSettingsKey); })})
+    EXPECT_TRUE(contains(error_line(ExitCode::bad_input, read), "is cut short, or no PNG"));
+}
+
 TEST(Png, IsOpaqueWhateverTheAlpha) {
   const TemporaryFolder folder("png");
   Image image = noise({16, 16}, 2);
