@@ -108,6 +108,9 @@ class Renderer {
 
   void reload_shaders() { programs_.reload(); }
   int reloads() const { return programs_.reloads(); }
+  int programs_compiled() const { return programs_.compiled(); }
+  // May as many as a frame with all its views uses be compiled without one being forgotten?
+  bool has_room_for_programs() const { return programs_.size() + 40 <= ProgramCache::kMost; }
 
  private:
   // What these settings draw in front, once per frame drawn, bound for shaders/frame_surface.glsl.

@@ -133,16 +133,30 @@ void append_surface_defines(gl::Defines& out, const Settings& s, bool emission_k
 constexpr const char* kCaptured[] = {"captured_position", "captured_normal", "captured_tangent",
                                      "captured_uv0",      "captured_uv1",    "captured_colour"};
 
-gl::Program ProgramCache::compile(const Variant& v) {
+ProgramCache::Stages ProgramCache::read(const Variant& v) {
   gl::Defines defines = v.defines;
   append_common(defines);
+  Stages out;
   if (!v.tessellation.empty()) {
-    const auto text = [&](const char* stage) { return gl::load_shader(v.tessellation + stage, defines); };
-    return gl::compile_tessellation_program(text(".vert"), text(".tesc"), text(".tese"), kCaptured);
+    for (const char* stage : {".vert", ".tesc", ".tese"})
+      out.push_back(gl::load_shader(v.tessellation + stage, defines));
+    return out;
   }
-  const gl::ShaderText fragment = gl::load_shader(v.fragment, defines);
-  gl::Program program = v.vertex.empty() ? gl::compile_compute_program(fragment)
-                                         : gl::compile_program(gl::load_shader(v.vertex, defines), fragment);
+  if (!v.vertex.empty()) out.push_back(gl::load_shader(v.vertex, defines));
+  out.push_back(gl::load_shader(v.fragment, defines));
+  return out;
+}
+
+size_t ProgramCache::hash(const Stages& stages) {
+  std::string all;
+  for (const gl::ShaderText& s : stages) all += s.body;
+  return std::hash<std::string>{}(all);
+}
+
+gl::Program ProgramCache::compile(const Variant& v, const Stages& s) {
+  ++compiled_;
+  if (!v.tessellation.empty()) return gl::compile_tessellation_program(s[0], s[1], s[2], kCaptured);
+  gl::Program program = s.size() == 1 ? gl::compile_compute_program(s[0]) : gl::compile_program(s[0], s[1]);
   const GLuint block = glGetUniformBlockIndex(program.id(), "FrameBlock");
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(program.id(), block, 0);
   return program;
@@ -163,9 +177,10 @@ const gl::Program& ProgramCache::get_tessellation(std::string_view name, const g
 const gl::Program& ProgramCache::get(Variant v) {
   auto found = programs_.find(v);
   if (found == programs_.end()) {
-    gl::Program program = compile(v);
+    const Stages stages = read(v);
+    gl::Program program = compile(v, stages);
     if (programs_.size() >= kMost) forget_oldest();
-    found = programs_.emplace(std::move(v), Kept{std::move(program)}).first;
+    found = programs_.emplace(std::move(v), Kept{std::move(program), hash(stages)}).first;
   }
   found->second.used = ++uses_;
   return found->second.program;
@@ -178,8 +193,12 @@ void ProgramCache::forget_oldest() {
 
 void ProgramCache::reload() {
   std::map<Variant, Kept> fresh;
-  for (const auto& [variant, old] : programs_) fresh.emplace(variant, Kept{compile(variant), old.used});
-  programs_ = std::move(fresh);
+  for (const auto& [variant, old] : programs_) {
+    const Stages stages = read(variant);
+    const size_t text = hash(stages);
+    if (text != old.text) fresh.emplace(variant, Kept{compile(variant, stages), text, old.used});
+  }
+  for (auto& [variant, program] : fresh) programs_.at(variant) = std::move(program);
   ++reloads_;
 }
 

@@ -28,8 +28,8 @@ void append_surface_defines(gl::Defines&, const Settings&, bool emission_kept);
 class ProgramCache {
  public:
   // A driver keeps a megabyte and more per program, and settings make thousands of variants. A frame with all its views
-  // uses some forty.
-  static constexpr size_t kMost = 192;
+  // uses some forty, the frames of all presets with two views each some 150.
+  static constexpr size_t kMost = 256;
 
   // The program of these files and defines; compiled at first use. Error with file and line if it does not compile. Good
   // until kMost others have been asked for.
@@ -39,10 +39,12 @@ class ProgramCache {
   // NAME.vert, NAME.tesc and NAME.tese, whose captured corners have the members of Vertex.
   const gl::Program& get_tessellation(std::string_view name, const gl::Defines&);
 
-  // Compile everything anew from the shader files. On an error all old programs stay and the Error is thrown.
+  // Read the shader files again and compile anew what they changed. On an error all old programs stay and the Error is
+  // thrown.
   void reload();
   int reloads() const { return reloads_; }  // how often; what they drew before may be other than what they draw now
   size_t size() const { return programs_.size(); }
+  int compiled() const { return compiled_; }  // so far, those since forgotten included
 
  private:
   struct Variant {
@@ -51,17 +53,21 @@ class ProgramCache {
     std::string tessellation = {};  // the name of three shaders; then no others
     auto operator<=>(const Variant&) const = default;
   };
-  static gl::Program compile(const Variant&);
+  using Stages = std::vector<gl::ShaderText>;  // in the order they run
+  static Stages read(const Variant&);
+  static size_t hash(const Stages&);
+  gl::Program compile(const Variant&, const Stages&);
   const gl::Program& get(Variant);
   void forget_oldest();
 
   struct Kept {
     gl::Program program;
+    size_t text = 0;    // what it was compiled from, hashed
     uint64_t used = 0;  // when: a count of all uses
   };
   std::map<Variant, Kept> programs_;
   uint64_t uses_ = 0;
-  int reloads_ = 0;
+  int reloads_ = 0, compiled_ = 0;
 };
 
 }  // namespace gbl

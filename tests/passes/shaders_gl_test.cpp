@@ -61,6 +61,18 @@ TEST_F(Shaders, AChangedShaderIsSeenAfterReloadAndNotBefore) {
   EXPECT_TRUE(unlike(stage.lit(s), before, {.max_abs = 0.01}));
 }
 
+TEST_F(Shaders, OnlyWhatASavedFileChangesIsCompiledAnew) {
+  ShaderCopy copy;
+  Stage stage(yard());
+  stage.lit(settings_for(yard(), {64, 36}));
+  const int all = stage.renderer.programs_compiled();
+  EXPECT_EQ(reload_error(stage.renderer), "");
+  EXPECT_EQ(stage.renderer.programs_compiled(), all) << "nothing was changed";
+  copy.insert("shaders/combine.frag", "void main", "// a remark");
+  EXPECT_EQ(reload_error(stage.renderer), "");
+  EXPECT_EQ(stage.renderer.programs_compiled(), all + 1);
+}
+
 // A mark that has gone from the shader must not break another place without a word.
 TEST_F(Shaders, ACopyRefusesAMarkThatTheShaderDoesNotHold) {
   ShaderCopy copy;
