@@ -1,4 +1,5 @@
 // `info`: what this machine can do, and why not.
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,6 +11,7 @@
 #include "renderer/gl/device.h"
 #include "renderer/gltf/scene_gltf.h"
 #include "renderer/options/settings_json.h"
+#include "renderer/passes/format_check.h"
 
 namespace gbl {
 namespace {
@@ -34,6 +36,16 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
                        : weights.guessed          ? "a guess: measured with llvmpipe (bench --calibrate measures here)"
                        : weights.ns_per_unit == 0 ? "measured with llvmpipe"
                                                   : "measured on this device";
+  j["format_checks"] = Json::array();
+  for (const StoredAs s : all_stored(d.features)) {
+    const FormatCheck c = check_format(s, rounding);
+    j["format_checks"].push_back({{"id", name_of(s)},
+                                  {"holds", c.holds()},
+                                  {"error", std::isfinite(c.error) ? Json(c.error) : Json(nullptr)},
+                                  {"bound", c.bound},
+                                  {"unit", c.unit},
+                                  {"said", c.holds() ? "" : c.said()}});
+  }
   j["gltf_limits"] = Json::array();
   for (const GltfLimit& l : gltf_limits())
     j["gltf_limits"].push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
@@ -76,6 +88,12 @@ ExitCode run_info(const Arguments& a) {
     fmt::print("{:<13} {}  {}\n", f["id"].get<std::string>(),
                f["available"].get<bool>() ? "yes" : "no: " + f["reason"].get<std::string>(),
                f["used_for"].get<std::string>());
+  size_t held = 0;
+  for (const Json& c : j["format_checks"]) held += c["holds"].get<bool>();
+  fmt::print("\n{} of {} formats store and give back known values as their tables say\n", held,
+             j["format_checks"].size());
+  for (const Json& c : j["format_checks"])
+    if (!c["holds"].get<bool>()) fmt::print("  {}\n", c["said"].get<std::string>());
   fmt::print("\nglTF files may ask for at most\n");
   for (const GltfLimit& l : gltf_limits()) fmt::print("  {:>14}  {}\n", l.value, l.what);
   fmt::print("and require {}\n", fmt::join(gltf_extensions(), ", "));

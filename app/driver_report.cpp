@@ -58,6 +58,7 @@ struct DriverRow {
   int drawn = 0, hold = 0, same = 0;  // pictures
   double flip = 0;                    // the largest
   std::vector<std::string> skipped;
+  size_t formats = 0, formats_hold = 0;
 };
 
 // first: the hashes of the first report, by picture.
@@ -76,6 +77,10 @@ DriverRow row_of(const Json& report, const std::map<std::string, std::string>& f
     row.same += other != first.end() && other->second == picture.at("hash").get<std::string>() ? 1 : 0;
     row.flip = std::max(row.flip, picture.at("flip_mean").get<double>());
   }
+  for (const Json& check : report.at("format_checks")) {
+    row.formats += 1;
+    row.formats_hold += check.at("holds").get<bool>() ? 1 : 0;
+  }
   return row;
 }
 
@@ -90,17 +95,18 @@ std::map<std::string, std::string> hashes_of(const Json& report) {
 
 std::string driver_table(const std::vector<std::filesystem::path>& reports) {
   std::string out =
-      "| driver | GL, device | pictures drawn | hold | same bits as the first | largest FLIP | not drawn |\n"
-      "|---|---|---|---|---|---|---|\n";
+      "| driver | GL, device | pictures drawn | hold | same bits as the first | largest FLIP | not drawn | formats "
+      "that hold |\n"
+      "|---|---|---|---|---|---|---|---|\n";
   std::optional<std::map<std::string, std::string>> first;
   for (const std::filesystem::path& file : reports) {
     const Json report = read_json(file);
     try {
       if (!first) first = hashes_of(report);
       const DriverRow r = row_of(report, *first);
-      out += fmt::format("| {} | {}, {} | {} | {} | {} | {:.5f} | {} |\n", file.stem().string(),
+      out += fmt::format("| {} | {}, {} | {} | {} | {} | {:.5f} | {} | {} of {} |\n", file.stem().string(),
                          report.at("gl").get<std::string>(), report.at("device").get<std::string>(), r.drawn, r.hold,
-                         r.same, r.flip, fmt::join(r.skipped, ", "));
+                         r.same, r.flip, fmt::join(r.skipped, ", "), r.formats_hold, r.formats);
     } catch (const Json::exception&) {
       throw Error(ExitCode::bad_input, file.string(), "is no report of a driver",
                   "make one: gbufferlab info --report FILE");

@@ -26,6 +26,7 @@ gl::Device weighed(gl::Device device) {
 Lab::Lab(FeatureSet without)
     : device_(weighed(gl::probe_device(without))),
       cost_(device_.software),
+      formats_(format_file(), device_),
       truths_(1, std::max(1, all_processors() - 1)) {}
 
 void Lab::open(const std::string& name) {
@@ -39,9 +40,17 @@ void Lab::show(const std::string& name, std::shared_ptr<const Scene> scene) {
   scene_name_ = name;
 }
 
+void Lab::check_formats(const Settings& s) {
+  const std::vector<std::string>& found = formats_.doubts(resolve(s)->settings);
+  for (size_t i = doubts_.size(); i < found.size(); ++i)
+    fmt::print(stderr, "gbufferlab: this device: {}; numbers that it gives may be wrong\n", found[i]);
+  doubts_ = found;
+}
+
 void Lab::draw(const Settings& s) {
   require_valid(s, limits());
   open(s.scene);
+  check_formats(s);
   static const FrameReport kNothingDrawn;  // of a temporary GCC 12 thinks at -O3 that its strings are never made
   try {
     report_ = renderer_.render(s, *gpu_scene_, targets_);

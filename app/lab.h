@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/format_keeper.h"
 #include "app/truth_keeper.h"
 #include "app/view_meter.h"
 #include "renderer/frame/estimate.h"
@@ -35,6 +36,8 @@ class Lab {
 
   void open(const std::string& name);  // nothing if it is open already; on an Error the old one stays
   void show(const std::string& name, std::shared_ptr<const Scene>);  // a scene opened elsewhere
+  // What this device was found to store otherwise than the tables say, of the formats drawn so far: one clause each.
+  const std::vector<std::string>& doubts() const { return doubts_; }
   const std::string& scene_name() const { return scene_name_; }
   // Validates, opens the scene, draws up to `lit`. On an Error nothing has changed.
   void draw(const Settings&);
@@ -85,6 +88,8 @@ class Lab {
  private:
   gl::Device device_;
   FrameCost cost_;
+  FormatKeeper formats_;
+  std::vector<std::string> doubts_;
   Renderer renderer_;
   std::string scene_name_;
   std::shared_ptr<const GpuScene> gpu_scene_;
@@ -99,6 +104,7 @@ class Lab {
   glm::ivec2 numbers_asked_{0};  // how many pixels
 
   void measure_now(View);
+  void check_formats(const Settings&);
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

@@ -72,6 +72,8 @@ TEST(DriverTable, ComparesWithTheFirst) {
   const TemporaryFolder folder("driver-table");
   const auto write = [&](const char* name, const char* hash, bool tiled) {
     Json report{{"gl", "4.5"}, {"device", name}, {"self_test", Json::array()}};
+    report["format_checks"] = {{{"id", "depth.format=d16"}, {"holds", true}},
+                               {{"id", "depth.format=d24"}, {"holds", tiled}}};
     report["self_test"].push_back({{"id", "exact"}, {"hash", hash}, {"flip_mean", 0.25}, {"holds", true}});
     if (tiled)
       report["self_test"].push_back({{"id", "tiled"}, {"hash", "b"}, {"flip_mean", 0.5}, {"holds", false}});
@@ -82,12 +84,12 @@ TEST(DriverTable, ComparesWithTheFirst) {
   };
   const std::string table =
       driver_table({write("one", "a", true), write("two", "a", false), write("three", "x", true)});
-  EXPECT_TRUE(contains(table, "| one | 4.5, one | 2 | 1 | 2 | 0.50000 |  |")) << table;
-  EXPECT_TRUE(contains(table, "| two | 4.5, two | 1 | 1 | 1 | 0.25000 | tiled |")) << table;
+  EXPECT_TRUE(contains(table, "| one | 4.5, one | 2 | 1 | 2 | 0.50000 |  | 2 of 2 |")) << table;
+  EXPECT_TRUE(contains(table, "| two | 4.5, two | 1 | 1 | 1 | 0.25000 | tiled | 1 of 2 |")) << table;
   EXPECT_TRUE(contains(table, "| three | 4.5, three | 2 | 1 | 1 | 0.50000 |  |")) << table;
   write_text_file(
       folder / "four.json",
-      R"({"gl": "4.5", "device": "four", "self_test": [{"id": "exact", "failed": "a shader", "holds": false}]})");
+      R"({"gl": "4.5", "device": "four", "format_checks": [], "self_test": [{"id": "exact", "failed": "a shader", "holds": false}]})");
   EXPECT_TRUE(contains(driver_table({folder / "four.json", folder / "four.json"}), "| four | 4.5, four | 1 | 0 | 0 |"))
       << "what was not drawn equals nothing";
   write_text_file(folder / "no.json", "{\"self_test\": 3}");

@@ -4,10 +4,8 @@
 
 #include <optional>
 
-#include "renderer/gl/pass_state.h"
-#include "renderer/gl/texture_units.h"
 #include "renderer/passes/frame_block.h"
-#include "renderer/passes/programs.h"
+#include "renderer/passes/normal_texels.h"
 #include "tests/gl_fixture.h"
 
 namespace gbl::test {
@@ -41,41 +39,11 @@ std::vector<glm::vec4> directions() {
   return rounded;
 }
 
-// Runs a fragment shader of the given main() over all directions; `included` supplies the functions it calls.
-void run(const Settings& s, const char* uniform, const char* main, const gl::Texture& from, const gl::Texture& to) {
-  const gl::Defines defines = gbuffer_defines(resolve_frame(s, Scene{}, {}));
-  gl::ShaderText fragment = gl::load_shader("normal_texel.glsl", defines);
-  fragment.body += std::string(uniform) + "void main() {\n  ivec2 texel = ivec2(gl_FragCoord.xy);\n" + main + "}\n";
-  const gl::Program program = gl::compile_program(gl::load_shader("fullscreen.vert", defines), fragment);
-  const gl::Framebuffer target = gl::make_framebuffer({.colours = {&to}, .label = "normals"});
-  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
-  glViewport(0, 0, kSide, kSide);
-  gl::apply({});
-  gl::bind_texture("source", from);
-  glUseProgram(program.id());
-  Shapes().draw_fullscreen();
-}
+using Result = NormalTexels;
 
-struct Result {
-  std::vector<glm::vec4> codes, decoded;
-};
-
-// Packed, stored in the attachment's own format, and read back by the shaders' own text.
 Result through_the_gpu(Settings s, NormalEncoding encoding) {
   s.normal.encoding = encoding;
-  const std::vector<glm::vec4> input = directions();
-  const gl::Texture source = gl::make_texture({.size = s.size, .format = Format::rgba32f, .label = "directions"});
-  gl::write_texels(source, input.data());
-  const std::vector<Attachment> all = attachments(s);
-  const gl::Texture stored = gl::make_texture({.size = s.size, .format = find(all, Stores::normal)->format});
-  const gl::Texture codes = gl::make_texture({.size = s.size, .format = Format::rgba32f});
-  const gl::Texture decoded = gl::make_texture({.size = s.size, .format = Format::rgba32f});
-  run(s, "uniform sampler2D source;\nlayout(location = 0) out NORMAL_OUTPUT result;\n",
-      "  result = pack_normal(texelFetch(source, texel, 0).xyz);\n", source, stored);
-  const char* reads = "uniform NORMAL_SAMPLER source;\nlayout(location = 0) out vec4 result;\n";
-  run(s, reads, "  result = vec4(code_from_texel(texelFetch(source, texel, 0)), 0.0);\n", stored, codes);
-  run(s, reads, "  result = vec4(unpack_normal(texelFetch(source, texel, 0)), 0.0);\n", stored, decoded);
-  return {picture_of(codes).texels, picture_of(decoded).texels};
+  return normals_through_gpu(s, directions(), s.size);
 }
 
 Settings square() { return settings_for(yard(), {kSide, kSide}); }
