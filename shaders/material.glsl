@@ -175,11 +175,13 @@ vec4 specular_texel() {
 #endif
 }
 
-// KHR_materials_specular. The reflectance at grazing angles follows from it as everywhere (grazing_of() in pair.glsl).
+// KHR_materials_specular: no material reflects more than all; the classic models' factor may make more of that. The
+// reflectance at grazing angles follows from it as everywhere (grazing_of() in pair.glsl).
 vec3 material_dielectric() {
 #if SPECULAR
   vec4 texel = specular_texel();
-  return min(dielectric_f0() * specular.rgb * texel.rgb, vec3(1.0)) * specular.a * texel.a;
+  vec3 of_common = min(specular.rgb * texel.rgb, vec3(1.0 / kCommonReflectance));
+  return dielectric_f0() * of_common * specular.a * texel.a;
 #else
   return vec3(dielectric_f0());
 #endif

@@ -16,10 +16,12 @@ struct Surface {
   float occlusion;   // of ambient light, 0..1
 };
 
+const float kCommonReflectance = 0.04;  // of index 1.5, which is glTF's default
+
 // What is no metal reflects this much unless its material says more; in the classic models the highlight's factor.
 float dielectric_f0() {
 #if SHADING_MODEL == MODEL_GGX
-  return 0.04;
+  return kCommonReflectance;
 #else
   return shading.y;
 #endif

@@ -128,10 +128,12 @@ TruthMaterial TruthGeometry::material_at(const Material& m, const Vertex* const 
   // Unlit: the display shows the colour as it is, whatever the exposure (KHR_materials_unlit).
   out.emission = m.unlit ? out.base / settings_.exposure : glm::dvec3(texel.emission) * glm::dvec3(m.emissive);
   out.unlit = m.unlit;
-  // KHR_materials_ior and KHR_materials_specular; the classic models' highlight is scaled alike.
-  const double of_index = model_.dielectric_f0 * reflectance_of_index(double(m.refraction_index)) / kCommonReflectance;
+  // KHR_materials_ior and KHR_materials_specular: no material reflects more than all. The classic models' highlight is
+  // scaled alike, and their factor may make more of it.
+  const double of_index = reflectance_of_index(double(m.refraction_index));
   const glm::dvec3 colour = glm::dvec3(texel.specular) * colour_factor(glm::dvec3(m.specular_colour), settings_.colour);
-  out.dielectric = glm::min(of_index * colour, glm::dvec3(1)) * double(m.specular) * double(texel.specular.w);
+  const glm::dvec3 of_common = glm::min(of_index * colour, glm::dvec3(1)) / kCommonReflectance;
+  out.dielectric = model_.dielectric_f0 * of_common * double(m.specular) * double(texel.specular.w);
   return out;
 }
 

@@ -218,6 +218,22 @@ TEST_F(ReferenceGl, NonMetalsReflectWhatTheirIndexAndTheirMapsSay) {
   }
 }
 
+// Both ends of every number that decides what is true.
+TEST_F(ReferenceGl, TheWitnessAgreesAtTheEndsOfEveryNumber) {
+  const GpuScene scene(open_scene("builtin:room"));
+  Settings base = settings_of_scene("builtin:room", scene.scene());
+  base.shading.model = ShadingModel::blinn_phong;  // has numbers of its own
+  for (const Option& o : options()) {
+    if (o.group != Group::truth || o.kind != Kind::number || std::string_view(o.path).starts_with("camera.")) continue;
+    for (const double end : {o.min, o.max}) {
+      Settings s = base;
+      o.set(s, end, o);
+      if (!in_use(o, s)) continue;
+      expect_only_float_noise(*truth_of(s, scene), fmt::format("{}={}", o.path, end));
+    }
+  }
+}
+
 // A sunlit wall is brighter than half floats reach, and a dim lamp darker than they resolve: sums are kept in the
 // display's units there.
 TEST_F(ReferenceGl, AnyLightIsSummedInHalfFloats) {
