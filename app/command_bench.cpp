@@ -30,11 +30,22 @@ void print_json(const MeasuredColumns& row) {
   fmt::print("{}\n", json.dump(2));
 }
 
+// The median of a time whose run spread too far.
+bool is_noisy_median(const StudyRow& row, std::string column) {
+  constexpr std::string_view kMedian = "_median";
+  if (!column.ends_with(kMedian)) return false;
+  const std::string time = column.substr(0, column.size() - kMedian.size());
+  return is_noisy(row, {.id = std::move(column), .p10 = time + "_p10", .p90 = time + "_p90"});
+}
+
 void print_text(const MeasuredColumns& row) {
+  const StudyRow measured{.cells = row.cells};
   for (const Cell& c : row.cells) {
     const auto* n = std::get_if<Number>(&c.value);
     const bool rounded = n && !n->whole && !std::isinf(n->value);
-    const std::string text = rounded ? fmt::format("{:.4g}", n->value) : cell_text(c.value);
+    const std::string text = is_noisy_median(measured, c.column) ? "noisy"
+                             : rounded                           ? fmt::format("{:.4g}", n->value)
+                                                                 : cell_text(c.value);
     if (!std::holds_alternative<std::monostate>(c.value)) fmt::print("{:<34} {}\n", c.column, text);
   }
 }

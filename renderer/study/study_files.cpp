@@ -99,6 +99,7 @@ std::string subtitle_of(const std::vector<StudyRow>& rows, const Chart& chart, c
   text += ", " + common_text(rows, "size", "several sizes") + " pixels";
   text += ", times by " + common_text(rows, "time_source", "several sources");
   if (chart.without_value > 0) text += fmt::format("; rows without these numbers: {}", chart.without_value);
+  if (const std::string mixed = mixed_programs(chart); !mixed.empty()) text += "; " + mixed;
   if (chart.failed > 0) text += fmt::format("; rows that failed: {}", chart.failed);
   return text;
 }

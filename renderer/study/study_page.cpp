@@ -23,12 +23,14 @@ std::string number_text(double value, const StudyColumn& c) {
 std::string with_unit(const StudyRow& row, const StudyColumn& c) {
   const std::optional<double> value = column_value(row, c);
   if (!value) return "not measured";
+  if (is_noisy(row, c)) return noisy_words(row, c);
   return fmt::format("{}{}{}", number_text(*value, c), unit_of(c).empty() ? "" : " ", unit_of(c));
 }
 
 PageCell cell_of(const StudyRow& row, const StudyColumn& c) {
   const std::optional<double> value = column_value(row, c);
-  return value ? PageCell{number_text(*value, c), *value} : PageCell{"\u2013"};
+  if (!value) return PageCell{"\u2013"};
+  return {is_noisy(row, c) ? "noisy" : number_text(*value, c), *value};
 }
 
 std::string title_of(const StudyRow& row) {
@@ -114,6 +116,7 @@ PageChart page_chart(const Chart& chart, const std::vector<StudyRow>& rows) {
                           .row = p.row,
                           .label = p.preset ? p.label : "",
                           .sound = p.sound,
+                          .noisy = p.noisy,
                           .marked = p.preset,
                           .on_front = p.on_front});
     if (p.preset) out.marked = "a preset";
@@ -123,6 +126,12 @@ PageChart page_chart(const Chart& chart, const std::vector<StudyRow>& rows) {
   if (chart.without_value > 0)
     out.note +=
         fmt::format(" {} have no finite value for one of these axes and are in the table only.", chart.without_value);
+  const auto noisy = std::count_if(chart.points.begin(), chart.points.end(), [](auto& p) { return p.noisy; });
+  if (noisy > 0)
+    out.note += fmt::format(
+        " {} have a noisy time (crossed out: its run spread by more than {:.0f} %); measure them on a quieter machine.",
+        noisy, 100 * kMostSpread);
+  if (const std::string mixed = mixed_programs(chart); !mixed.empty()) out.note += fmt::format(" \u26a0 {}.", mixed);
   if (chart.failed > 0) out.note += fmt::format(" {} failed; the table says why.", chart.failed);
   return out;
 }

@@ -26,6 +26,8 @@ void draw_points(Plot& plot, const ChartView& v, float radius) {
   for (const bool presets : {false, true})  // those with names on top
     for (const size_t i : v.shown)
       if (v.point(i).preset == presets) plot.draw_marks({value_of(v.point(i))}, v.look(i), radius);
+  for (const size_t i : v.shown)
+    if (v.point(i).noisy) plot.draw_marks({value_of(v.point(i))}, {Mark::cross, theme().unsound}, 1.2f * radius);
 }
 
 bool overlap(const Box& a, const Box& b) {

@@ -39,12 +39,15 @@ std::vector<ChartFamily> families_of(const Chart& chart, std::string_view path) 
 
 std::vector<size_t> front_of(const ChartView& v) {
   std::vector<CostError> places;
-  for (const size_t i : v.shown)
+  std::vector<size_t> judged, front;
+  for (const size_t i : v.shown) {
+    if (v.point(i).noisy) continue;
+    judged.push_back(i);
     places.push_back({v.point(i).cost, v.chart.y.more_is_better ? -v.point(i).error : v.point(i).error});
+  }
   const std::vector<bool> on_front = pareto_front(places);
-  std::vector<size_t> front;
-  for (size_t k = 0; k < v.shown.size(); ++k)
-    if (on_front[k]) front.push_back(v.shown[k]);
+  for (size_t k = 0; k < judged.size(); ++k)
+    if (on_front[k]) front.push_back(judged[k]);
   std::sort(front.begin(), front.end(), [&](size_t a, size_t b) { return v.point(a).cost < v.point(b).cost; });
   return front;
 }

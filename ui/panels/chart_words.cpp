@@ -1,4 +1,5 @@
 // Rows of the chart in words.
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -16,6 +17,7 @@ std::string with_unit(double value, const StudyColumn& c) {
 std::string value_of(const StudyRow& row, const StudyColumn& c) {
   const std::optional<double> value = column_value(row, c);
   if (!value) return "not measured";
+  if (is_noisy(row, c)) return noisy_words(row, c);
   std::string text = with_unit(*value, c);
   const auto p10 = row.number(c.p10), p90 = row.number(c.p90);
   if (p10 && p90) text += fmt::format(" (p10 {:.4g}, p90 {:.4g})", *p10, *p90);
@@ -91,6 +93,9 @@ std::string counts_text(const ChartInput& in, const ChartView& v) {
   if (outside > 0) text += fmt::format(", {} outside this zoom (0 shows all)", outside);
   if (off > 0) text += fmt::format(", {} of families that are off", off);
   if (v.chart.without_value > 0) text += fmt::format(", {} without a value on these axes", v.chart.without_value);
+  const auto noisy = std::count_if(v.shown.begin(), v.shown.end(), [&](size_t i) { return v.point(i).noisy; });
+  if (noisy > 0) text += fmt::format(", {} with a noisy time (crossed out)", noisy);
+  if (v.chart.programs.size() > 1) text += fmt::format(", of {} versions of the program", v.chart.programs.size());
   if (v.chart.failed > 0) text += fmt::format(", {} failed", v.chart.failed);
   if (in.measuring) text += "; measuring the settings at hand …";
   return text;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numeric>
 
 namespace gbl {
@@ -22,7 +23,7 @@ std::string family_of(const StudyRow& row, std::string_view path) {
   return "";
 }
 
-ChartPoint point_of(const StudyRow& row, size_t index, double cost, double error, std::string_view family) {
+ChartPoint point_of(const StudyRow& row, size_t index, double cost, double error, bool noisy, std::string_view family) {
   const OptionValue* preset = at_path(row, "preset");
   return {.cost = cost,
           .error = error,
@@ -30,14 +31,20 @@ ChartPoint point_of(const StudyRow& row, size_t index, double cost, double error
           .family = family_of(row, family),
           .preset = preset != nullptr,
           .sound = sound(row.settings),
+          .noisy = noisy,
           .row = index};
 }
 
 void mark_front(Chart& chart) {
+  std::vector<ChartPoint*> judged;
   std::vector<CostError> places;
-  for (const ChartPoint& p : chart.points) places.push_back({p.cost, chart.y.more_is_better ? -p.error : p.error});
+  for (ChartPoint& p : chart.points) {
+    if (p.noisy) continue;
+    judged.push_back(&p);
+    places.push_back({p.cost, chart.y.more_is_better ? -p.error : p.error});
+  }
   const std::vector<bool> front = pareto_front(places);
-  for (size_t i = 0; i < front.size(); ++i) chart.points[i].on_front = front[i];
+  for (size_t i = 0; i < front.size(); ++i) judged[i]->on_front = front[i];
 }
 
 }  // namespace
@@ -56,13 +63,24 @@ Chart chart_points(const std::vector<StudyRow>& rows, std::string_view x, std::s
     else if (!cost || !error || !std::isfinite(*cost) || !std::isfinite(*error))
       ++chart.without_value;
     else
-      chart.points.push_back(point_of(rows[i], i, *cost, *error, family));
+      chart.points.push_back(point_of(rows[i], i, *cost, *error, is_noisy(rows[i], chart.x), family));
+  }
+  for (const ChartPoint& p : chart.points) {
+    const std::string& by = rows[p.row].made_by;
+    if (!by.empty() && std::find(chart.programs.begin(), chart.programs.end(), by) == chart.programs.end())
+      chart.programs.push_back(by);
   }
   for (const ChartPoint& p : chart.points)
     if (std::find(chart.families.begin(), chart.families.end(), p.family) == chart.families.end())
       chart.families.push_back(p.family);
   mark_front(chart);
   return chart;
+}
+
+std::string mixed_programs(const Chart& chart) {
+  if (chart.programs.size() < 2) return "";
+  return fmt::format("measured by {} versions of the program: {}", chart.programs.size(),
+                     fmt::join(chart.programs, "; "));
 }
 
 std::vector<bool> pareto_front(std::span<const CostError> points) {

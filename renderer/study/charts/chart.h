@@ -18,7 +18,8 @@ struct ChartPoint {
   std::string label;   // the preset's id, or the case
   std::string family;  // the value at the family's path
   bool preset = false;
-  bool sound = true;  // no choice with a known failure
+  bool sound = true;   // no choice with a known failure
+  bool noisy = false;  // its cost is a time that spreads too far: it is never on the front
   bool on_front = false;
   size_t row = 0;  // of the rows given
 };
@@ -29,7 +30,10 @@ struct Chart {
   std::vector<std::string> families;  // in the order of their first points
   size_t without_value = 0;           // rows left out: not measured, or not finite
   size_t failed = 0;                  // rows left out: they could not be drawn
+  std::vector<std::string> programs;  // that measured the points (made_by.h), in the order of their first
 };
+// "measured by 2 versions of the program: A; B", since their numbers are different measurements; "" where there is one.
+std::string mixed_programs(const Chart&);
 Chart chart_points(const std::vector<StudyRow>& rows, std::string_view x, std::string_view y, std::string_view family);
 
 // Which points no other beats: none is as good in both and better in one. Equal points are on it together.

@@ -125,6 +125,14 @@ std::string zero_rows(const Places& places) {
   return text;
 }
 
+// Crosses over points whose times spread too far.
+std::string noisy_block(const Chart& chart, const Places& places) {
+  std::string text = "$NOISY << EOD\n";
+  for (const ChartPoint& p : chart.points)
+    if (p.noisy) text += places.of(p) + "\n";
+  return text + "EOD\n";
+}
+
 // The sound points of a family, or the others; "" = none.
 std::string family_block(const Chart& chart, const Places& places, size_t family, bool sound) {
   std::string text;
@@ -161,6 +169,8 @@ std::string plot_line(const Chart& chart, const FamilyPlots& families) {
   std::string text = "plot $FRONT using 1:2 with steps lw 2 lc rgb '#888888' title 'Pareto front'" + families.plots;
   if (std::any_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.preset; }))
     text += ", \\\n  $PRESETS using 1:2 with points pt 6 ps 2.4 lw 1.5 lc rgb '#000000' title 'preset'";
+  if (std::any_of(chart.points.begin(), chart.points.end(), [](const ChartPoint& p) { return p.noisy; }))
+    text += ", \\\n  $NOISY using 1:2 with points pt 2 ps 1.8 lw 1.5 lc rgb '#b00020' title 'noisy time'";
   return text + "\n";
 }
 
@@ -178,7 +188,7 @@ std::string chart_script(const Chart& chart, const ChartTexts& texts, ChartFile 
   text += fmt::format("set title {}.\"\\n\".{}\n", gnuplot_text(texts.title), gnuplot_text(texts.subtitle));
   text += axis_lines("x", chart.x, places.x) + axis_lines("y", chart.y, places.y) + zero_rows(places);
   const FamilyPlots families = family_plots(chart, places);
-  text += front_block(chart, places) + preset_block(chart, places) + families.blocks;
+  text += front_block(chart, places) + preset_block(chart, places) + noisy_block(chart, places) + families.blocks;
   return text + label_lines(chart, places) + plot_line(chart, families);
 }
 

@@ -25,6 +25,7 @@ struct PagePoint {
   std::optional<size_t> row = {};  // of the table
   std::string label = {};          // a name that stands beside it; "" = none
   bool sound = true;
+  bool noisy = false;   // crossed out
   bool marked = false;  // ringed: a preset, the one that was chosen
   bool on_front = false;
 };

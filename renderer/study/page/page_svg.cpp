@@ -118,6 +118,7 @@ std::string dot(const PageChart& c, const PagePoint& p) {
       y_other, p.row ? fmt::format(" data-row=\"{}\"", *p.row) : "", at.x, at.y);
   text += "<title>" + html_text(p.words) + "</title>";
   if (p.marked) text += R"(<circle class="ring" r="9"/>)";
+  if (p.noisy) text += R"(<path class="noisy" d="M-8-8L8 8M-8 8L8-8"/>)";
   return text + fmt::format("<path d=\"{}\"/></g>\n", kShapes[p.family % std::size(kShapes)]);
 }
 

@@ -35,4 +35,9 @@ std::string unsound_words(const Settings& s) {
   return fmt::format("{}", fmt::join(pitfalls, ", "));
 }
 
+std::string noisy_words(const StudyRow& row, const StudyColumn& c) {
+  return fmt::format("noisy: {:.3g} to {:.3g} {}", row.number(c.p10).value_or(0), row.number(c.p90).value_or(0),
+                     c.unit);
+}
+
 }  // namespace gbl

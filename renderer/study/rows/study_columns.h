@@ -20,6 +20,9 @@ namespace gbl {
 struct TimeSpread {
   double median = 0, p10 = 0, p90 = 0;
 };
+// A time whose run spreads by more than this share of its median says what else the machine did: it is shown as noisy.
+inline constexpr double kMostSpread = 0.3;
+inline bool noisy(const TimeSpread& t) { return t.p90 - t.p10 > kMostSpread * t.median; }
 // Nearest-rank percentiles; the list must not be empty.
 TimeSpread spread_of(std::vector<double> ms);
 

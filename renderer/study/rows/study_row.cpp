@@ -35,6 +35,11 @@ std::optional<double> column_value(const StudyRow& row, const StudyColumn& c) {
   return *over / *under;
 }
 
+bool is_noisy(const StudyRow& row, const StudyColumn& c) {
+  const auto median = row.number(c.id), p10 = row.number(c.p10), p90 = row.number(c.p90);
+  return median && p10 && p90 && noisy({*median, *p10, *p90});
+}
+
 bool measured_enough(int frames, double seconds, double slowest_s) {
   if (frames >= 20) return true;
   return seconds >= 20 && frames >= (slowest_s > 20 ? 1 : 3);

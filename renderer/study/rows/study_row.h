@@ -34,6 +34,9 @@ struct MeasuredColumns {
 // Of an axis: with its magnitude and its ratio taken.
 std::optional<double> column_value(const StudyRow&, const StudyColumn&);
 
+// A time that spreads too far to be compared with another.
+bool is_noisy(const StudyRow&, const StudyColumn&);
+
 // When is a row measured long enough? 20 frames or 20 s, at least 3 frames, 1 if one exceeds 20 s.
 bool measured_enough(int frames, double seconds, double slowest_s);
 

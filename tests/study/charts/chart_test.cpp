@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/base/random.h"
+#include "renderer/study/charts/gnuplot.h"
 #include "renderer/truth/measure.h"
 #include "tests/study/study_rows.h"
 #include "tests/test_support.h"
@@ -49,6 +50,39 @@ TEST(ParetoFront, TiesAreKeptTogether) {
 
 StudyRow row(double cost, const ColumnValue& error, std::vector<Assignment> at = {}) {
   return test::row_of("c", {{"mib", cost}, {"rmse_linear", error}}, std::move(at));
+}
+
+StudyRow timed(double median, double p10, double p90, double error) {
+  return test::row_of("t", {{"time_ms_total_median", median},
+                            {"time_ms_total_p10", p10},
+                            {"time_ms_total_p90", p90},
+                            {"rmse_linear", error}});
+}
+
+// 30 % is still a time; the quickest set-up of all is none, where nobody knows how long it took.
+TEST(ChartPoints, ANoisyTimeIsMarkedAndNeverOnTheFront) {
+  const std::vector<StudyRow> rows = {timed(10, 9, 12, 0.5), timed(2, 1.9, 2.6, 0.5), timed(20, 19.9, 20.1, 0.4)};
+  const Chart chart = chart_points(rows, "time_ms_total_median", "rmse_linear", "lights.method");
+  ASSERT_EQ(chart.points.size(), 3u);
+  EXPECT_FALSE(chart.points[0].noisy);
+  EXPECT_TRUE(chart.points[1].noisy);
+  EXPECT_TRUE(chart.points[0].on_front);
+  EXPECT_FALSE(chart.points[1].on_front);
+  EXPECT_TRUE(chart.points[2].on_front);
+  const std::string script = chart_script(chart, {"t", "s"}, ChartFile::svg);
+  EXPECT_NE(script.find("'noisy time'"), std::string::npos);
+  const Chart counts = chart_points({row(1, 0.5)}, "mib", "rmse_linear", "lights.method");
+  EXPECT_FALSE(counts.points[0].noisy) << "what is no time cannot be";
+  EXPECT_EQ(chart_script(counts, {"t", "s"}, ChartFile::svg).find("'noisy time'"), std::string::npos);
+}
+
+TEST(ChartPoints, SaysWhereTwoVersionsMeasured) {
+  std::vector<StudyRow> rows = {row(1, 0.5), row(2, 0.4), row(3, 0.3)};
+  rows[0].made_by = rows[1].made_by = "0.5.0 a";
+  EXPECT_EQ(mixed_programs(chart_points(rows, "mib", "rmse_linear", "lights.method")), "");
+  rows[2].made_by = "0.6.0 b";
+  EXPECT_EQ(mixed_programs(chart_points(rows, "mib", "rmse_linear", "lights.method")),
+            "measured by 2 versions of the program: 0.5.0 a; 0.6.0 b");
 }
 
 TEST(ChartPoints, LeavesOutWhatIsNotMeasuredAndCountsIt) {
