@@ -1,9 +1,11 @@
 #include "app/commands.h"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <new>
+#include <system_error>
 
 #include "renderer/base/files.h"
 #include "renderer/base/json_error.h"
@@ -42,6 +44,19 @@ ExitCode run(const Arguments& a) {
   return ExitCode::bad_input;
 }
 
+// fmt::print() names no file where it fails; flush_output() does.
+ExitCode run_and_print(const Arguments& a) {
+  try {
+    const ExitCode code = run(a);
+    flush_output();
+    return code;
+  } catch (const std::system_error& e) {
+    errno = e.code().value();
+    flush_output();
+    throw;
+  }
+}
+
 int complain(const char* message, ExitCode code) {
   fmt::print(stderr, "gbufferlab: {}\n", message);
   return static_cast<int>(code);
@@ -66,9 +81,7 @@ int run_program(int argc, const char* const* argv) {
   for (const int end : {SIGINT, SIGTERM})
     std::signal(end, [](int) { std::_Exit(static_cast<int>(ExitCode::interrupted)); });
   try {
-    const ExitCode code = run(parse_arguments(argc, argv));
-    flush_output();
-    return static_cast<int>(code);
+    return static_cast<int>(run_and_print(parse_arguments(argc, argv)));
   } catch (const Error& e) {
     return complain(e.what(), e.code());
   } catch (const std::bad_alloc&) {

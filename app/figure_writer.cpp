@@ -60,6 +60,21 @@ void remove_frames_after(const fs::path& folder, const FigureSpec& f) {
   for (int k = f.frames->count; fs::exists(folder / frame_name(f, k)); ++k) fs::remove(folder / frame_name(f, k));
 }
 
+// Joined beside the frames and then moved: nobody ever sees half of it. False: ImageMagick is not installed.
+bool join_frames(std::vector<std::string> arguments, const fs::path& frames, const fs::path& film) {
+  const fs::path joined = frames / "joined.gif";
+  arguments.push_back(joined.string());
+  std::error_code ignored;
+  try {
+    if (!run_program_if_there("convert", std::move(arguments))) return false;
+    fs::rename(joined, film);
+  } catch (...) {
+    fs::remove(joined, ignored);
+    throw;
+  }
+  return true;
+}
+
 // Numbered pictures; returns the file that a document shows. Ends early when it is interrupted.
 std::string write_frames(const fs::path& folder, const FigureSpec& f, FigureMaker& maker, const Machine& machine,
                          const FigureOptions& o) {
@@ -73,8 +88,7 @@ std::string write_frames(const fs::path& folder, const FigureSpec& f, FigureMake
     write_picture(path, image, texts_of(f, maker.settings(), machine, o), o);
     arguments.push_back(path.string());
   }
-  arguments.push_back((folder / (f.id + ".gif")).string());
-  if (run_program_if_there("convert", arguments)) return f.id + ".gif";
+  if (join_frames(std::move(arguments), folder / f.id, folder / (f.id + ".gif"))) return f.id + ".gif";
   fmt::print(stderr, "gbufferlab: {}: ImageMagick is not installed, so the frames were not joined to a GIF\n", f.id);
   return frame_name(f, 0);
 }

@@ -2,22 +2,20 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <memory>
+#include <mutex>
+#include <new>
+#include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include "renderer/base/error.h"
 
 namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void cannot_write(const fs::path& path, const std::string& why) {
-  throw Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", why),
-              "choose a folder that can be written and has room");
-}
 
 struct Closer {
   void operator()(std::FILE* f) const { std::fclose(f); }
@@ -34,12 +32,56 @@ mode_t umask_of_program() {
   return mask;
 }
 
+// "final.png.gbufferlab-Ab3xYz"
+constexpr std::string_view kMark = ".gbufferlab-", kRandom = "XXXXXX";
+
+bool is_temporary(const std::string& name) {
+  const size_t tail = kMark.size() + kRandom.size();
+  return name.size() > tail && name.compare(name.size() - tail, kMark.size(), kMark) == 0;
+}
+
+// A file that is being written is locked: one that is not was left by a program that was killed. Where there are no
+// locks all of them stay.
+void remove_if_left(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (file < 0) return;
+  if (::flock(file, LOCK_EX | LOCK_NB) == 0) ::unlink(path.c_str());
+  ::close(file);
+}
+
+// Before the first file that this program writes into a folder.
+void clear_once(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> cleared;
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error);
+  const std::lock_guard lock(mutex);
+  if (!cleared.insert(whole).second) return;
+  for (fs::directory_iterator entry(whole, error), end; !error && entry != end; entry.increment(error))
+    if (is_temporary(entry->path().filename().string())) remove_if_left(entry->path());
+}
+
+// Makes it under a name that nobody else has, and locks it; -> its descriptor, below 0: errno says why not.
+int make_locked(std::string& name) {
+  const size_t random = name.size() - kRandom.size();
+  while (true) {
+    name.replace(random, kRandom.size(), kRandom);
+    const int file = ::mkostemp(name.data(), O_CLOEXEC);
+    struct stat facts {};
+    if (file < 0) return file;
+    if (::flock(file, LOCK_EX) != 0 || ::fstat(file, &facts) != 0 || facts.st_nlink > 0) return file;
+    ::close(file);  // taken for one that was left, before it was locked
+  }
+}
+
 // A new file beside the target, with the rights that a file made by fopen has.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) : target_(target), name_(target.string() + ".XXXXXX") {
-    const int descriptor = ::mkstemp(name_.data());
-    if (descriptor < 0) cannot_write(target_, std::strerror(errno));
+  explicit TemporaryFile(const fs::path& target)
+      : target_(target), name_(fmt::format("{}{}{}", target.string(), kMark, kRandom)) {
+    clear_once(target.has_parent_path() ? target.parent_path() : ".");
+    const int descriptor = make_locked(name_);
+    if (descriptor < 0) throw CannotWrite(target_, std::strerror(errno));
     ::fchmod(descriptor, 0666 & ~umask_of_program());
     file_.reset(::fdopen(descriptor, "wb"));
   }
@@ -51,12 +93,11 @@ class TemporaryFile {
 
   std::FILE* get() const { return file_.get(); }
   void keep() {
-    const bool whole = std::fflush(get()) == 0 && !std::ferror(get()) && ::fsync(::fileno(get())) == 0;
-    const int why = errno;
-    if (std::fclose(file_.release()) != 0 || !whole) cannot_write(target_, std::strerror(whole ? errno : why));
+    if (std::fflush(get()) != 0 || std::ferror(get()) || ::fsync(::fileno(get())) != 0)
+      throw CannotWrite(target_, std::strerror(errno));
     std::error_code error;
-    fs::rename(name_, target_, error);
-    if (error) cannot_write(target_, error.message());
+    fs::rename(name_, target_, error);  // while it is locked
+    if (error) throw CannotWrite(target_, error.message());
     kept_ = true;
   }
 
@@ -68,6 +109,10 @@ class TemporaryFile {
 };
 
 }  // namespace
+
+CannotWrite::CannotWrite(const fs::path& path, std::string_view why)
+    : Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", why),
+            "choose a folder that can be written and has room") {}
 
 std::string read_text_file(const fs::path& path, size_t most) {
   const auto refuse = [&](const std::string& what, std::string_view fix) {
@@ -102,8 +147,10 @@ void write_file(const fs::path& path, const std::function<void(std::FILE*)>& wri
     write(file.get());
   } catch (const Error&) {
     throw;
-  } catch (const std::runtime_error& e) {  // of a library that encodes
-    cannot_write(path, e.what());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {  // of a library that encodes
+    throw CannotWrite(path, std::ferror(file.get()) ? std::strerror(errno) : e.what());
   }
   file.keep();
 }
@@ -115,7 +162,7 @@ void write_text_file(const fs::path& path, const std::string& text) {
 void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) cannot_write(folder, error ? error.message() : "it is not a folder");
+  if (error || !fs::is_directory(folder)) throw CannotWrite(folder, error ? error.message() : "it is not a folder");
 }
 
 void flush_output() {

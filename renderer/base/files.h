@@ -5,7 +5,15 @@
 #include <functional>
 #include <string>
 
+#include "renderer/base/error.h"
+
 namespace gbl {
+
+// Error(unfinished) of what follows: there is no room, or no folder. More work would be lost, too.
+class CannotWrite : public Error {
+ public:
+  CannotWrite(const std::filesystem::path&, std::string_view why);
+};
 
 // The largest text file that is read; those that this program writes are far smaller.
 inline constexpr size_t kMostTextBytes = size_t(256) << 20;
@@ -18,7 +26,8 @@ std::string read_text_file(const std::filesystem::path&, size_t most = kMostText
 void require_plausible(const std::filesystem::path&, size_t unpacked_bytes, size_t most_times);
 
 // Writes beside the target under a name that nobody else has, and renames once all of it is on disk: nobody ever sees
-// half a file, and of two programs that write the same one the last wins. Error(unfinished), and the old file stays.
+// half a file, and of two programs that write the same one the last wins. CannotWrite, and the old file stays.
+// What a killed program left under such a name goes when the next one writes into that folder.
 void write_file(const std::filesystem::path&, const std::function<void(std::FILE*)>& write);
 void write_text_file(const std::filesystem::path&, const std::string&);
 void make_folder(const std::filesystem::path&);  // and its parents

@@ -1,6 +1,8 @@
 #include "renderer/base/threads.h"
 
 #include <algorithm>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -9,9 +11,22 @@ namespace gbl {
 int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 void on_threads(int count, const std::function<void(int)>& work) {
-  std::vector<std::jthread> others;  // joined when they go, and also where a next one cannot be started
-  for (int i = 1; i < count; ++i) others.emplace_back(work, i);
-  work(0);
+  std::mutex mutex;
+  std::exception_ptr thrown;
+  const auto guarded = [&](int i) {
+    try {
+      work(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      thrown = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;  // joined when they go, and also where a next one cannot be started
+    for (int i = 1; i < count; ++i) others.emplace_back(guarded, i);
+    guarded(0);
+  }
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 }  // namespace gbl

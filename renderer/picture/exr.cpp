@@ -8,9 +8,11 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -27,11 +29,11 @@ class Stream : public Imf::OStream {
   Stream(std::FILE* file, const std::string& name) : OStream(name.c_str()), file_(file) {}
   void write(const char bytes[], int n) override {
     if (std::fwrite(bytes, 1, static_cast<size_t>(n), file_) != static_cast<size_t>(n))
-      throw std::runtime_error("disk full");
+      throw std::runtime_error(std::strerror(errno));
   }
   uint64_t tellp() override { return static_cast<uint64_t>(std::ftell(file_)); }
   void seekp(uint64_t at) override {
-    if (std::fseek(file_, static_cast<long>(at), SEEK_SET) != 0) throw std::runtime_error("cannot seek");
+    if (std::fseek(file_, static_cast<long>(at), SEEK_SET) != 0) throw std::runtime_error(std::strerror(errno));
   }
 
  private:
@@ -64,15 +66,10 @@ void write_exr(const std::filesystem::path& path, glm::ivec2 size, const std::ve
                                      sizeof(float) * static_cast<size_t>(size.x)));
   }
   write_file(path, [&](std::FILE* file) {
-    try {
-      Stream stream(file, path.string());
-      Imf::OutputFile out(stream, header);
-      out.setFrameBuffer(buffer);
-      out.writePixels(size.y);
-    } catch (const std::exception& e) {
-      throw Error(ExitCode::unfinished, path.string(), fmt::format("it cannot be written: {}", e.what()),
-                  "free some space, or give another folder");
-    }
+    Stream stream(file, path.string());
+    Imf::OutputFile out(stream, header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(size.y);
   });
 }
 

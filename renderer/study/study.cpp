@@ -4,7 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "renderer/base/error.h"
+#include "renderer/base/files.h"
 #include "renderer/base/made_by.h"
 #include "renderer/base/number.h"
 #include "renderer/study/row_json.h"
@@ -21,11 +21,13 @@ struct Todo {
   std::string key;
 };
 
-// Empty: the study is to stop.
+// Empty: the study is to stop. What cannot be written ends it: the next row would be lost, too.
 std::optional<StudyRow> measured(const StudyPlan& plan, const Todo& todo, const RowFn& measure) {
   std::string reason;
   try {
     return measured_row(plan.study, *todo.study_case, measure(*todo.study_case));
+  } catch (const CannotWrite&) {
+    throw;
   } catch (const Error& e) {
     if (e.code() == ExitCode::interrupted) return {};
     reason = e.what();

@@ -6,6 +6,7 @@
 #include "app/session_keeper.h"
 #include "app/start.h"
 #include "renderer/options/presets.h"
+#include "tests/disk_room.h"
 #include "tests/test_support.h"
 
 namespace gbl {
@@ -147,6 +148,21 @@ TEST_F(Keeper, AFolderThatCannotBeMadeIsSaidOnceAndTriedAgain) {
   keeper.keep(some_session(), 10);
   EXPECT_EQ(keeper.take_trouble(), "");
   fs::remove(folder_ / "a");
+  keeper.keep(some_session(), 20);
+  EXPECT_EQ(SessionKeeper(file_).found(), some_session());
+}
+
+TEST_F(Keeper, OnAFullDiskTheLastSessionStaysAndTheNextOneIsKeptWhenThereIsRoom) {
+  SessionKeeper keeper(file_);
+  keeper.keep({.recent = {"/models/a.glb"}}, 0);
+  const std::string before = text_of(file_);
+  for (const size_t most : {0, 100}) {
+    const DiskRoom room(most);
+    keeper.keep(some_session(), 10);
+    EXPECT_EQ(text_of(file_), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(file_.parent_path()), {}), 1) << "nothing half stays";
+  }
+  EXPECT_PRED2(contains, keeper.take_trouble(), "this window is not remembered: " + file_.string() + ": cannot be");
   keeper.keep(some_session(), 20);
   EXPECT_EQ(SessionKeeper(file_).found(), some_session());
 }

@@ -1,9 +1,12 @@
 // Files are read with a bound and written whole or not at all.
 #include "renderer/base/files.h"
 
+#include <csignal>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "tests/test_paths.h"
@@ -79,6 +82,56 @@ TEST_F(TextFiles, AFailedWriteKeepsTheOldFile) {
   EXPECT_EQ(read_text_file(file), "old");
   EXPECT_EQ(count(), 1u);
   EXPECT_THROW(write_text_file(folder_ / "no" / "folder.txt", "text"), Error);
+}
+
+// In a process of its own, which stays in the middle of it; back when it is there.
+pid_t begin_to_write(const fs::path& file) {
+  int begun[2] = {};
+  if (::pipe(begun) != 0) return -1;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    write_file(file, [&](std::FILE* f) {
+      std::fputs("half", f);
+      std::fflush(f);
+      static_cast<void>(::write(begun[1], "!", 1) + 0);
+      while (true) ::pause();
+    });
+  }
+  char there = 0;
+  EXPECT_EQ(::read(begun[0], &there, 1), 1);
+  ::close(begun[0]), ::close(begun[1]);
+  return child;
+}
+
+void kill_it(pid_t child) {
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+}
+
+int another_program_writes(const fs::path& file) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    write_text_file(file, "whole");
+    ::_exit(0);
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+TEST_F(TextFiles, AKilledWriterKeepsTheOldFileAndTheNextOneClearsWhatItLeft) {
+  std::ofstream(folder_ / "a.txt") << "old";  // this process has not written there yet: what it forks is like new
+  std::ofstream(folder_ / "a.txt.backup") << "of the user";
+  const pid_t killed = begin_to_write(folder_ / "a.txt"), works = begin_to_write(folder_ / "b.txt");
+  kill_it(killed);
+  EXPECT_EQ(read_text_file(folder_ / "a.txt"), "old");
+  EXPECT_EQ(count(), 4u) << "what it left, and what another one writes now";
+  EXPECT_EQ(another_program_writes(folder_ / "c.txt"), 0);
+  EXPECT_EQ(count(), 4u) << "the first is gone, c.txt is there, and who writes now was left alone";
+  kill_it(works);
+  EXPECT_EQ(another_program_writes(folder_ / "c.txt"), 0);
+  EXPECT_EQ(count(), 3u);
+  EXPECT_EQ(read_text_file(folder_ / "a.txt.backup"), "of the user");
 }
 
 TEST(Errors, AreOneLineThatATerminalShows) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <gtest/gtest.h>
+#include <new>
 #include <vector>
 
 namespace gbl {
@@ -15,6 +16,19 @@ TEST(Threads, EachPartIsDoneOnceAndAllAreDoneAfterwards) {
     for (const std::atomic<int>& times : done) EXPECT_EQ(times, 1) << count;
   }
   EXPECT_GE(all_processors(), 1);
+}
+
+// Memory may run out on any of them.
+TEST(Threads, WhatOneThrowsArrivesWhenAllHaveReturned) {
+  for (int thrower = 0; thrower < 3; ++thrower) {
+    std::atomic<int> done = 0;
+    const auto work = [&](int i) {
+      if (i == thrower) throw std::bad_alloc();
+      ++done;
+    };
+    EXPECT_THROW(on_threads(3, work), std::bad_alloc) << thrower;
+    EXPECT_EQ(done, 2) << thrower;
+  }
 }
 
 }  // namespace

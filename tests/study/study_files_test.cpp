@@ -9,6 +9,7 @@
 #include "renderer/base/json.h"
 #include "renderer/picture/image.h"
 #include "renderer/study/charts/gnuplot.h"
+#include "tests/disk_room.h"
 #include "tests/study/study_rows.h"
 #include "tests/test_support.h"
 
@@ -54,7 +55,7 @@ std::string bytes_of(const fs::path& path) {
 
 bool gnuplot_is_there() {
   try {
-    run_gnuplot("");
+    run_gnuplot("set terminal svg\nplot 0\n");
     return true;
   } catch (const Error&) {
     return false;
@@ -220,6 +221,20 @@ TEST(StudyFiles, APageNeedsNoPoint) {
 TEST(Gnuplot, ARefusedScriptIsAnErrorOfOneLine) {
   NEEDS_GNUPLOT();
   error_line(ExitCode::unfinished, [] { run_gnuplot("set terminal no-such-terminal\n"); });
+}
+
+// gnuplot itself ends well.
+TEST(Gnuplot, AChartThatAFullDiskCutShortIsAnError) {
+  NEEDS_GNUPLOT();
+  for (const char* terminal : {"svg", "pngcairo"}) {
+    const std::string script = std::string("set terminal ") + terminal + "\nplot sin(x)\n";
+    const size_t whole = run_gnuplot(script).size();
+    for (const size_t most : {whole / 2, whole - 8}) {
+      const DiskRoom room(most);
+      const std::string line = error_line(ExitCode::unfinished, [&] { run_gnuplot(script); });
+      EXPECT_TRUE(contains(line, "cut short; make room in /tmp")) << line;
+    }
+  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <set>
 #include <thread>
 
+#include "renderer/base/files.h"
 #include "renderer/base/made_by.h"
 #include "renderer/study/row_json.h"
 #include "tests/test_support.h"
@@ -59,6 +60,19 @@ TEST(RunStudy, AFailureIsARowAndTheStudyGoesOn) {
 
   const auto no_memory = [](const StudyCase&) -> MeasuredColumns { throw std::bad_alloc(); };
   EXPECT_EQ(run_study(plan_of(3), {}, desk.journal, no_memory, {}, kOn).failed, 1u) << "the two others are there";
+}
+
+// Its pictures, where there is no room: all other rows would fail as well, each after its work.
+TEST(RunStudy, WhatCannotBeWrittenEndsIt) {
+  Desk desk;
+  const auto no_room = [](const StudyCase& c) -> MeasuredColumns {
+    if (c.settings.lights.count == 1) throw CannotWrite("thumbs/a.jpg", "no room");
+    return measure(c);
+  };
+  const std::string line =
+      error_line(ExitCode::unfinished, [&] { run_study(plan_of(4), {}, desk.journal, no_room, {}, kOn); });
+  EXPECT_TRUE(contains(line, "thumbs/a.jpg: cannot be written: no room")) << line;
+  EXPECT_EQ(desk.journal.rows().size(), 1u);
 }
 
 TEST(RunStudy, SkipsWhatIsThereAndTriesAgainWhatFailed) {

@@ -1,11 +1,22 @@
-// Two windows one after the other: the second goes on where the first was closed.
+// Windows one after the other and two at once: what one leaves to the next.
+#include <chrono>
 #include <fstream>
+#include <thread>
 
+#include "renderer/base/files.h"
+#include "renderer/base/json.h"
+#include "renderer/options/settings_json.h"
 #include "tests/test_support.h"
 #include "tests/ui/window_desk.h"
 
 namespace gbl {
 namespace {
+
+// Of the window that the session tells of; the file must be whole.
+Settings kept_in(const std::filesystem::path& session) {
+  const Json json = parse_json(read_text_file(session), session.string());
+  return parse_settings(json.at("last").at("settings").dump(), session.string());
+}
 
 TEST(Window, goes_on_where_it_was_left_with_its_bookmarks) {
   const TemporaryFolder state("window-session");
@@ -86,6 +97,42 @@ TEST(Window, goes_on_where_no_session_can_be_written) {
   desk.press("n");
   EXPECT_NE(desk.figure().settings, before);
   EXPECT_EQ(desk.close(), 0);
+}
+
+TEST(Window, ends_in_its_own_words_when_the_display_goes_and_its_session_stays) {
+  const TemporaryFolder state("window-display");
+  const std::filesystem::path file = state / "gbufferlab" / "session.json";
+  WindowDesk desk({}, state.path());
+  SKIP_WITHOUT_WINDOW(desk);
+  desk.press("n");
+  const Settings left = desk.figure().settings;
+  const auto kept = [&] { return std::filesystem::exists(file) && kept_in(file) == left; };
+  for (int k = 0; k < 20 && !kept(); ++k) std::this_thread::sleep_for(std::chrono::seconds(1));
+  ASSERT_TRUE(kept()) << "it is written every few seconds";
+  EXPECT_EQ(desk.lose_display(), static_cast<int>(ExitCode::unfinished));
+  EXPECT_EQ(desk.complaints(),
+            "gbufferlab: window: the display was lost; start it again, pictures that were saved are kept\n");
+  EXPECT_TRUE(kept());
+}
+
+// Each writes what has changed in it; of two the last to do so is remembered.
+TEST(Window, two_at_once_leave_a_session_of_one_of_them) {
+  const TemporaryFolder state("window-two");
+  const std::filesystem::path folder = state / "gbufferlab";
+  Settings first, second;
+  {
+    WindowDesk one({}, state.path()), other({"--fresh"}, state.path());
+    SKIP_WITHOUT_WINDOW(one);
+    SKIP_WITHOUT_WINDOW(other);
+    for (const char* key : {"n", "c", "n"}) one.press(key), other.press("c");
+    first = one.figure().settings, second = other.figure().settings;
+    ASSERT_NE(first, second);
+    EXPECT_EQ(one.close(), 0);
+    EXPECT_EQ(other.close(), 0);
+  }
+  const Settings kept = kept_in(folder / "session.json");
+  EXPECT_TRUE(kept == first || kept == second);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << "nothing half stays";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -126,6 +127,7 @@ void WindowDesk::start_program(const std::vector<std::string>& arguments) {
   unsetenv("WAYLAND_DISPLAY");
   setenv("XDG_STATE_HOME", state_.c_str(), 1);  // and never the session of whoever runs the tests
   if (chdir(folder_.c_str()) != 0) _exit(127);
+  dup2(::open("complaints", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
   std::string program_file = test::program();
   std::vector<char*> argv = {program_file.data(), const_cast<char*>("view")};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
@@ -198,9 +200,26 @@ double WindowDesk::computed_s() const { return static_cast<double>(activity_of(p
 
 int WindowDesk::close() {
   press("ctrl+x");
+  return ended("Ctrl+X did not close the window");
+}
+
+int WindowDesk::lose_display() {
+  kill(server_, SIGKILL);
+  waitpid(server_, nullptr, 0);
+  server_ = -1;
+  return ended("it did not end with its display");
+}
+
+std::string WindowDesk::complaints() const {
+  std::ostringstream text;
+  text << std::ifstream(folder_ / "complaints").rdbuf();
+  return text.str();
+}
+
+int WindowDesk::ended(const char* why_not) {
   int status = 0;
   const bool ended = wait_for([&] { return waitpid(program_, &status, WNOHANG) == program_; }, 10s);
-  EXPECT_TRUE(ended) << "Ctrl+X did not close the window";
+  EXPECT_TRUE(ended) << why_not;
   if (!ended) return -1;
   program_ = -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

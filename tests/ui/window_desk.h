@@ -34,12 +34,15 @@ class WindowDesk {
   void resize(glm::ivec2);
   void type(const std::string& text);
   int close();                                              // by its key; the program's exit code
+  int lose_display();                                       // its X server is killed; the program's exit code
+  std::string complaints() const;                           // what it has written to its standard error
   Figure figure(const char* key = "shift+F12");             // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
 
  private:
   void start_server();
   void start_program(const std::vector<std::string>& arguments);
+  int ended(const char* why_not);  // waits; the exit code
   std::string find_window() const;
   void wait_until_drawn();
   void wait_until_at_rest() const;

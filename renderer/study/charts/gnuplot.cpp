@@ -34,7 +34,7 @@ using File = std::unique_ptr<std::FILE, Closer>;
 // A file without a name: a pipe would block, or kill us, when gnuplot stops reading.
 File scratch_file() {
   File file(std::tmpfile());
-  if (!file) cannot(std::strerror(errno), "make room in the folder for temporary files");
+  if (!file) cannot(std::strerror(errno), fmt::format("make room in {}", P_tmpdir));
   return file;
 }
 
@@ -72,18 +72,27 @@ int run(std::FILE* in, std::FILE* out, std::FILE* err) {
   return status;
 }
 
+// A chart that was cut short has no end: gnuplot does not say that the disk was full.
+bool whole(const std::string& chart) {
+  const size_t last = chart.find_last_not_of('\n');
+  const std::string_view used = std::string_view(chart).substr(0, last + 1);
+  return used.ends_with("</svg>") || used.ends_with(std::string_view("IEND\xae\x42\x60\x82"));
+}
+
 }  // namespace
 
 std::string run_gnuplot(const std::string& script) {
   const File in = scratch_file(), out = scratch_file(), err = scratch_file();
   if (std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() || std::fflush(in.get()) != 0)
-    cannot(std::strerror(errno), "make room in the folder for temporary files");
+    cannot(std::strerror(errno), fmt::format("make room in {}", P_tmpdir));
   std::rewind(in.get());
   const int status = run(in.get(), out.get(), err.get());
   if (status != 0)
     cannot(fmt::format("did not draw the chart: {}", first_line(contents(err.get()))),
            "it needs the terminals svg and pngcairo: install the package gnuplot-nox");
-  return contents(out.get());
+  std::string chart = contents(out.get());
+  if (!whole(chart)) cannot("its chart was cut short", fmt::format("make room in {}", P_tmpdir));
+  return chart;
 }
 
 const char* series_colour(size_t n) { return kColours[n % std::size(kColours)]; }
