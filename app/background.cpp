@@ -7,7 +7,6 @@
 #include "app/background_pitfall.h"
 #include "app/background_study.h"
 #include "app/background_sweep.h"
-#include "app/background_warm_up.h"
 #include "app/pitfall_pictures.h"
 #include "renderer/base/error.h"
 
@@ -21,7 +20,6 @@ std::vector<std::unique_ptr<BackgroundJob>> background_jobs(Lab& lab) {
   jobs.push_back(std::make_unique<PitfallPictures>(lab));
   jobs.push_back(std::make_unique<BackgroundSweep>(lab));
   jobs.push_back(std::make_unique<BackgroundAdvice>(lab));
-  jobs.push_back(std::make_unique<BackgroundWarmUp>(lab));
   jobs.push_back(std::make_unique<BackgroundStudy>(lab));
   return jobs;
 }

@@ -109,6 +109,7 @@ class Loop {
     first.visible[static_cast<size_t>(view_by_id(settings_.view.main).view)] = true;
     lab_.open(settings_.scene);
     viewer_.update(settings_, first, false);
+    viewer_.compile_ahead();
     say_trouble();
   }
 

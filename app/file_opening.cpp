@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/json.h"
+#include "renderer/gbuffer/layout_file.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/picture/image.h"
@@ -24,10 +25,11 @@ std::string ending_of(const fs::path& file) {
   return ending;
 }
 
-// Whatever it is called, or at least called so.
+// Whatever it is called, or at least called so. What is read from a pipe is gone: there the name tells.
 bool is_png(const std::string& file) {
   char begin[4] = {};
-  std::ifstream(file, std::ios::binary).read(begin, sizeof begin);
+  std::error_code none;
+  if (fs::is_regular_file(file, none)) std::ifstream(file, std::ios::binary).read(begin, sizeof begin);
   return std::string_view(begin, sizeof begin) == "\x89PNG" || ending_of(file) == ".png";
 }
 
@@ -74,16 +76,21 @@ FileOpening state(const std::string& file, const DeviceLimits& limits) {
   Settings s = read_state(file);
   require_valid(s, limits);
   if (!s.lights.rig.empty()) rig_lights(s.lights.rig);
+  std::string said = fmt::format("{}: its settings are shown", file);
+  if (!s.layout_file.empty())
+    said += fmt::format(", but for its layout file, which is shader text; to run that: --layout-file {}",
+                        path_of_layout_file(s.layout_file));
   return {.file = file,
           .scene = s.scene,
           .settings =
               [s](const Settings& now, const Scene&) {
                 Settings out = s;
                 out.size = now.size;
+                if (out.layout_file != now.layout_file) out.layout_file.clear();  // a file runs nothing unasked
                 return out;
               },
           .whole = true,
-          .said = fmt::format("{}: its settings are shown", file)};
+          .said = std::move(said)};
 }
 
 // A rig's lights are a list; those of settings are options.

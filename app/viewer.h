@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/background.h"
+#include "app/background_warm_up.h"
 #include "app/comparer.h"
 #include "app/file_opening.h"
 #include "app/lab.h"
@@ -14,6 +15,8 @@ namespace gbl {
 class Viewer {
  public:
   explicit Viewer(Lab& lab) : lab_(lab), comparer_(lab), jobs_(background_jobs(lab)) {}
+  // After whatever panels ask for: until then nothing is compiled ahead.
+  void compile_ahead() { jobs_.push_back(std::make_unique<BackgroundWarmUp>(lab_)); }
 
   // Draws what the requests ask for and what has changed, nothing else. Never throws for a bad setting or shader:
   // the message says what is wrong and the old picture stays.

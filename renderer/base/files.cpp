@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <poll.h>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -114,12 +115,38 @@ CannotWrite::CannotWrite(const fs::path& path, std::string_view why)
     : Error(ExitCode::unfinished, path.string(), fmt::format("cannot be written: {}", why),
             "choose a folder that can be written and has room") {}
 
+namespace {
+
+// To open a pipe waits for a writer: this waits for a while, and no longer.
+File opened_to_read(const fs::path& path) {
+  constexpr int kPatienceMs = 3000;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"));
+  if (!file)
+    throw Error(ExitCode::bad_input, path.string(), fmt::format("cannot be read: {}", std::strerror(errno)),
+                "check the path");
+  pollfd waiting{descriptor, POLLIN, 0};
+  if (::poll(&waiting, 1, kPatienceMs) == 0)
+    throw Error(ExitCode::bad_input, path.string(), "is a pipe into which nobody writes", "give a file");
+  ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  return file;
+}
+
+}  // namespace
+
+void require_regular(const fs::path& path) {
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return;
+  throw Error(ExitCode::bad_input, path.string(), fs::is_directory(status) ? "is a folder" : "is no file",
+              "give a file that is kept on disk");
+}
+
 std::string read_text_file(const fs::path& path, size_t most) {
   const auto refuse = [&](const std::string& what, std::string_view fix) {
     return Error(ExitCode::bad_input, path.string(), what, fix);
   };
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw refuse(fmt::format("cannot be read: {}", std::strerror(errno)), "check the path");
+  const File file = opened_to_read(path);
   std::string text;
   char block[1 << 16];
   while (const size_t got = std::fread(block, 1, sizeof block, file.get())) {

@@ -18,8 +18,12 @@ class CannotWrite : public Error {
 // The largest text file that is read; those that this program writes are far smaller.
 inline constexpr size_t kMostTextBytes = size_t(256) << 20;
 
-// Error(bad_input): cannot be read, is empty, or is longer than `most` (a device such as /dev/zero never ends).
+// Error(bad_input): cannot be read, is empty, is longer than `most` (a device such as /dev/zero never ends), or is a pipe into
+// which nobody writes.
 std::string read_text_file(const std::filesystem::path&, size_t most = kMostTextBytes);
+
+// Error(bad_input) if it is there and is no file that is kept on disk: to open a pipe waits for who may never come.
+void require_regular(const std::filesystem::path&);
 
 // Error(bad_input) if so small a file cannot hold so much, packed `most_times` as small: the size that a file claims is not to be believed
 // before memory is taken for it.

@@ -74,6 +74,7 @@ void write_exr(const std::filesystem::path& path, glm::ivec2 size, const std::ve
 }
 
 static std::string read_start(const std::filesystem::path& path, size_t most) {
+  require_regular(path);
   std::ifstream file(path, std::ios::binary);
   std::string bytes(std::min<size_t>(most, std::filesystem::file_size(path)), '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));

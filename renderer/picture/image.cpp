@@ -106,7 +106,9 @@ void require_whole_chunks(std::FILE* file, const fs::path& path) {
 }
 
 struct PngReader {
-  explicit PngReader(const fs::path& path) : file(std::fopen(path.c_str(), "rb")) {
+  explicit PngReader(const fs::path& path) {
+    require_regular(path);
+    file.reset(std::fopen(path.c_str(), "rb"));
     uint8_t magic[8] = {};
     if (!file || std::fread(magic, 1, 8, file.get()) != 8 || png_sig_cmp(magic, 0, 8) != 0)
       throw Error(ExitCode::bad_input, path.string(), "is not a PNG that can be read");

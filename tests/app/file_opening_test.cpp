@@ -71,6 +71,17 @@ TEST_F(FileOpenings, EachKindIsTakenForWhatItIs) {
   EXPECT_EQ(rig.settings(s, Scene{}).lights.rig, folder_ / "r.json");
 }
 
+// A state that somebody sends beside a file of GLSL must not have it run.
+TEST_F(FileOpenings, ShaderTextIsNotRunUnasked) {
+  const std::string mine = put("mine.glsl", "// attachments: material RG8 { r: metal; g: roughness }\n");
+  Settings s = preset("start").make();
+  apply_assignment(s, "layout-file=" + mine);
+  const FileOpening state = opening_of(put("s.json", settings_text(s)), {});
+  EXPECT_EQ(state.settings(preset("start").make(), Scene{}).layout_file, "");
+  EXPECT_PRED2(contains, state.said, "--layout-file " + mine);
+  EXPECT_EQ(state.settings(s, Scene{}).layout_file, s.layout_file) << "it runs already";
+}
+
 TEST_F(FileOpenings, AnythingElseIsRefused) {
   const auto refused = [](const std::string& file) {
     return error_line(ExitCode::bad_input, [&] { opening_of(file, {}); });

@@ -4,12 +4,14 @@
 #include <csignal>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
 #include "renderer/base/error.h"
 #include "tests/test_paths.h"
+#include "tests/test_support.h"
 
 namespace gbl {
 namespace {
@@ -36,6 +38,20 @@ std::string refused(const fs::path& path, size_t most = kMostTextBytes) {
     return e.what();
   }
   return "accepted";
+}
+
+// A pipe that nobody writes into is no reason to wait for ever; one that somebody does is a file like others.
+TEST_F(TextFiles, APipeIsWaitedForAWhile) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string said = error_line(ExitCode::bad_input, [&] { read_text_file(pipe); });
+  EXPECT_NE(said.find("pipe"), std::string::npos) << said;
+  std::thread writer([&] { std::ofstream(pipe) << std::string(300'000, 'x'); });
+  EXPECT_EQ(read_text_file(pipe).size(), 300'000u);
+  writer.join();
+  EXPECT_NE(error_line(ExitCode::bad_input, [&] { require_regular(pipe); }).find("is no file"), std::string::npos);
+  EXPECT_NE(error_line(ExitCode::bad_input, [&] { require_regular(folder_); }).find("folder"), std::string::npos);
+  EXPECT_NO_THROW(require_regular(folder_ / "missing")) << "who opens it says so";
 }
 
 TEST_F(TextFiles, WhatIsWrittenIsRead) {
