@@ -16,7 +16,7 @@ bool BackgroundWarmUp::done() const {
   return next_.preset >= presets().size() || !lab_.renderer().has_room_for_programs();
 }
 
-void BackgroundWarmUp::draw(Settings s) {
+void BackgroundWarmUp::draw(const Settings& s) {
   require_valid(s, lab_.limits());
   if (s.scene != scene_name_ || !scene_) {
     scene_ = std::make_unique<GpuScene>(open_scene(s.scene));
@@ -34,7 +34,7 @@ void BackgroundWarmUp::draw_next(glm::ivec2 window_size, const ui::Requests& req
   if (next_.view < 0) {
     Settings s = presets()[next_.preset].make();
     s.size = window_size;
-    draw(std::move(s));
+    draw(s);
     next_.view = 0;
     return;
   }

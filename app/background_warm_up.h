@@ -20,7 +20,7 @@ class BackgroundWarmUp : public BackgroundJob {
     int view = -1;  // -1: the frame that the views show
   };
   bool done() const;
-  void draw(Settings);
+  void draw(const Settings&);
   void draw_next(glm::ivec2 window_size, const ui::Requests&);
 
   Lab& lab_;

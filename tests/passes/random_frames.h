@@ -143,8 +143,8 @@ inline double peak(const Picture& p) {
 
 // What was found of one frame.
 struct Verdict {
-  std::string wrong;      // empty: nothing
-  bool compared = false;  // with the plain loop
+  std::string wrong;            // empty: nothing
+  bool compared = false;        // with the plain loop
   size_t judged = 0, over = 0;  // pixels, by the reference
 };
 
