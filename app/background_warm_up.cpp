@@ -49,14 +49,17 @@ void BackgroundWarmUp::draw_next(glm::ivec2 window_size, const ui::Requests& req
 }
 
 void BackgroundWarmUp::update(const Settings& now, const ui::Requests& requests, bool quiet) {
-  if (!quiet || done()) return;
+  if (quiet && !done()) work(now.size, requests);
+  if (done()) scene_.reset(), targets_.reset();  // also where others have filled the cache
+}
+
+void BackgroundWarmUp::work(glm::ivec2 window_size, const ui::Requests& requests) {
   begun_ = true;
   try {
-    draw_next(now.size, requests);
+    draw_next(window_size, requests);
   } catch (const Error&) {  // this device cannot draw it: who chooses it is told why
     next_ = {next_.preset + 1};
   }
-  if (done()) scene_.reset(), targets_.reset();
 }
 
 }  // namespace gbl

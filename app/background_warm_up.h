@@ -21,6 +21,7 @@ class BackgroundWarmUp : public BackgroundJob {
   };
   bool done() const;
   void draw(const Settings&);
+  void work(glm::ivec2 window_size, const ui::Requests&);
   void draw_next(glm::ivec2 window_size, const ui::Requests&);
 
   Lab& lab_;

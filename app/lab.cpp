@@ -62,7 +62,7 @@ void Lab::draw(const Settings& s) {
     throw;
   }
   drawn_ = s;
-  work_[work_index(targets_.timers.frame())] = targets_.drawn->light_work;
+  work_[work_index(targets_.timers.frame())] = {targets_.drawn->settings.lights.method, targets_.drawn->light_work};
 }
 
 const std::vector<Light>& Lab::lights() const {
@@ -161,8 +161,9 @@ void Lab::collect(bool wait) {
   const long long answered = targets_.timers.answered();
   if (answered == learnt_ || report_.time_source == "cpu-clock") return;
   learnt_ = answered;  // the times may be of a frame or two ago: learnt with the work of that frame
+  const Work& work = work_[work_index(answered)];
   for (const PassTime& p : report_.passes)
-    if (p.pass == "lighting" && p.ms) cost_.learn(work_[work_index(answered)], *p.ms);
+    if (p.pass == "lighting" && p.ms) cost_.learn(work.method, work.units, *p.ms);
 }
 
 Image Lab::image_of(View view) const {

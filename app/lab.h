@@ -108,7 +108,11 @@ class Lab {
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }
-  std::array<double, 8> work_{};
+  struct Work {
+    LightMethod method{};
+    double units = 0;
+  };
+  std::array<Work, 8> work_{};
   long long learnt_ = 0;
 };
 

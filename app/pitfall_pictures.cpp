@@ -9,8 +9,10 @@ namespace gbl {
 void PitfallPictures::forget() {
   todo_.clear(), next_ = 0;
   shown_.clear(), canvases_.clear();
-  scene_.reset(), scene_name_.clear();
+  let_go();
 }
+
+void PitfallPictures::let_go() { scene_.reset(), scene_name_.clear(), targets_.reset(); }
 
 // A scene is uploaded once for all entries that show it.
 void PitfallPictures::make_list() {
@@ -27,11 +29,12 @@ void PitfallPictures::draw(const Todo& todo) {
   if (!validate(s, lab_.limits()).empty()) return;  // to open it says why
   if (scene_name_ != s.scene) scene_ = std::make_shared<GpuScene>(open_scene(s.scene)), scene_name_ = s.scene;
   const View wanted = view_by_id(s.view.main).view, view = needs_truth(wanted) ? View::final : wanted;
+  if (!targets_) targets_ = std::make_unique<Targets>();
   Renderer& renderer = lab_.renderer();
-  renderer.render(s, *scene_, targets_);
-  if (!why_missing(view, targets_.drawn->settings).empty()) return;
-  renderer.draw_view(view, s, *scene_, targets_, {.overlays = true});
-  canvases_.push_back(copied(*targets_.canvases.drawn_view(view)));
+  renderer.render(s, *scene_, *targets_);
+  if (!why_missing(view, targets_->drawn->settings).empty()) return;
+  renderer.draw_view(view, s, *scene_, *targets_, {.overlays = true});
+  canvases_.push_back(copied(*targets_->canvases.drawn_view(view)));
   ui::PitfallPicture& picture = shown_[todo.entry.id];
   (todo.side == PitfallSide::broken ? picture.broken : picture.fixed) = canvases_.back().texture.id();
 }
@@ -44,7 +47,7 @@ void PitfallPictures::update(const Settings&, const ui::Requests& requests, bool
     if (next_ < todo_.size()) draw(todo_[next_++]);
   } catch (const std::exception&) {  // an entry that cannot be drawn has no picture; to open it says why
   }
-  if (next_ == todo_.size()) scene_.reset(), scene_name_.clear();
+  if (next_ == todo_.size()) let_go();
 }
 
 }  // namespace gbl

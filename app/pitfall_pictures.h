@@ -24,14 +24,15 @@ class PitfallPictures : public BackgroundJob {
   };
   void make_list();
   void draw(const Todo&);
+  void let_go();
 
   Lab& lab_;
   bool open_ = false;
   std::vector<Todo> todo_;  // by scene
   size_t next_ = 0;
-  std::shared_ptr<const GpuScene> scene_;
+  std::shared_ptr<const GpuScene> scene_;  // only while the list is drawn
   std::string scene_name_;
-  Targets targets_;
+  std::unique_ptr<Targets> targets_;
   std::vector<Canvas> canvases_;
   ui::PitfallPictures shown_;
 };

@@ -41,6 +41,13 @@ Settings Viewer::affordable(const Settings& s, bool moving) {
   return out;
 }
 
+// A picture that was made smaller than it need be, as its times have shown. By a little it is not drawn again.
+bool Viewer::could_be_larger(const Settings& s) const {
+  if (banner_.empty() || waiting_ || moving_ || draw_failed_) return false;
+  const glm::ivec2 size = lab_.cost().affordable_size(*lab_.resolve(s), s.size, kStillBudgetMs);
+  return size == s.size || size.x >= 1.5 * lab_.drawn().size.x;
+}
+
 void Viewer::arrive(bool wait, LightSource lights) {
   try {
     if (auto scene = loader_.take(wait)) {
@@ -282,17 +289,18 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   moving_ = moving;
   const bool changed = !asked_ || !(without_view(s) == without_view(*asked_)) || settled;
   const bool ready = scene_ready(s);
-  if (changed && ready) draw_frame(s, moving);
+  const bool anew = ready && (changed || could_be_larger(s));
+  if (anew) draw_frame(s, moving);
   if (!lab_.has_drawn()) return;
   try {
     drawn_now_.fill(false);
-    draw_locked(requests, changed && ready);
-    draw_views(s, requests, changed && ready);
+    draw_locked(requests, anew);
+    draw_views(s, requests, anew);
     comparer_.update(requests.compare, requests.compare && drawn_now_[static_cast<size_t>(requests.compare->view)],
                      fresh_[static_cast<size_t>(View::reference)]);
     draw_outside(requests);
     lab_.show_squares(requests.magnified);
-    ask_numbers(requests, changed && ready);
+    ask_numbers(requests, anew);
     if (requests.probe && requests.probe != probe_asked_) {
       lab_.start_probe(*requests.probe);
       probe_asked_ = requests.probe;

@@ -68,6 +68,7 @@ class Viewer {
   void draw_views(const Settings&, const ui::Requests&, bool all);
   void reload();
   Settings affordable(const Settings&, bool moving);
+  bool could_be_larger(const Settings&) const;
 
   Lab& lab_;
   Comparer comparer_;

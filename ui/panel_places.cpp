@@ -79,7 +79,7 @@ void lock_panel(FrameContext& f) {
   const bool any = std::any_of(panels.begin() + 1, panels.end(), [](const LookOf& p) { return !p.look.plain(); });
   const View v = f.layout.main;
   LookOf now{row(v).id, look_of(f.settings.view.looks, row(v).id)};
-  if (!now.look.range)  // as it stands now, whatever is seen later
+  if (!now.look.range && !now.look.raw)  // as it stands now, whatever is seen later
     now.look.fit = false,
     now.look.range = shown_range(v, f.settings, f.input.scene.bounds, f.input.stats[static_cast<size_t>(v)]);
   if (any) {

@@ -211,26 +211,43 @@ double estimate_work(const Settings& s, const std::vector<Light>& lights) {
 
 // First guesses where the device was not measured, kept only until the first frame: 2 ns is llvmpipe on two cores,
 // 0.02 ns a small GPU.
-FrameCost::FrameCost(bool software) : ns_per_unit_(software ? 2 : 0.02), ns_per_pixel_(software ? 60 : 1) {
-  if (work_weights().ns_per_unit > 0) ns_per_unit_ = work_weights().ns_per_unit;
+FrameCost::FrameCost(bool software) : first_guess_ns_(software ? 2 : 0.02), ns_per_pixel_(software ? 60 : 1) {
+  if (work_weights().ns_per_unit > 0) first_guess_ns_ = work_weights().ns_per_unit;
 }
 
-void FrameCost::learn(double work, double lighting_ms) {
-  if (work < 1e5 || !(lighting_ms > 0)) return;  // too little to learn from
-  ns_per_unit_ = 0.5 * ns_per_unit_ + 0.5 * lighting_ms * 1e6 / work;
+// Of a method that was not drawn yet: as of the quickest, for what a method does beyond its units only adds to them.
+double FrameCost::ns_per_unit(LightMethod m) const {
+  if (const auto known = learnt_ns_.find(m); known != learnt_ns_.end()) return known->second;
+  const auto quickest = std::min_element(learnt_ns_.begin(), learnt_ns_.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+  return quickest == learnt_ns_.end() ? first_guess_ns_ : quickest->second;
 }
 
-double FrameCost::ms_of(double work, glm::ivec2 size) const {
-  return (work * ns_per_unit_ + double(size.x) * size.y * ns_per_pixel_) * 1e-6;
+// In little work, much of the time is not the work's: it says what a unit costs at most. One frame that took far too long,
+// as when the machine slept, is forgotten at the next: by halves, pictures would stay small for long.
+void FrameCost::learn(LightMethod m, double work, double lighting_ms) {
+  constexpr double kMuch = 1e5;
+  if (!(work > 0) || !(lighting_ms > 0)) return;
+  const double now = ns_per_unit(m), seen = lighting_ms * 1e6 / work;
+  if (seen < (work < kMuch ? now : now / 4))
+    learnt_ns_[m] = seen;
+  else if (work >= kMuch)
+    learnt_ns_[m] = 0.5 * now + 0.5 * seen;
 }
 
-double FrameCost::predict_ms(const ResolvedFrame& f) const { return ms_of(f.light_work, f.settings.size); }
+double FrameCost::ms_of(LightMethod m, double work, glm::ivec2 size) const {
+  return (work * ns_per_unit(m) + double(size.x) * size.y * ns_per_pixel_) * 1e-6;
+}
+
+double FrameCost::predict_ms(const ResolvedFrame& f) const {
+  return ms_of(f.settings.lights.method, f.light_work, f.settings.size);
+}
 
 glm::ivec2 FrameCost::affordable_size(const ResolvedFrame& f, glm::ivec2 size, double budget_ms) const {
   Settings smaller = f.settings;
   const auto predicted = [&](glm::ivec2 at) {
     smaller.size = at;
-    return ms_of(estimate_work(smaller, f.lights), at);
+    return ms_of(smaller.lights.method, estimate_work(smaller, f.lights), at);
   };
   if ((size == f.settings.size ? predict_ms(f) : predicted(size)) <= budget_ms) return size;
   const auto shrunk = [&](double factor) { return glm::ivec2(glm::dvec2(size) * factor + 1e-6); };

@@ -1,6 +1,7 @@
 #pragma once
 // What a frame's lighting will do and how long it will take, guessed before it is drawn: a full-screen loop over
 // 16 384 lights can take minutes on a software driver, and a window must not freeze for that.
+#include <map>
 #include <vector>
 
 #include "renderer/frame/work_weights.h"
@@ -34,11 +35,12 @@ LightWork work_of(LightMethod, const LightsInView&);  // not of auto
 // Units of work of a frame. Of auto: of its choice where nothing beyond the core path is available.
 double estimate_work(const Settings&, const std::vector<Light>&);
 
-// Nanoseconds per unit of work, learnt from the frames drawn so far.
+// Nanoseconds per unit of work, learnt from the frames drawn so far, for each method by itself: what a method does beyond
+// its units must not make the others look slow.
 class FrameCost {
  public:
   explicit FrameCost(bool software_driver);
-  void learn(double work, double lighting_ms);
+  void learn(LightMethod, double work, double lighting_ms);
   double predict_ms(const ResolvedFrame&) const;
 
   // The size at which the frame is predicted to stay within budget_ms: the size asked for, or smaller in the same
@@ -46,8 +48,10 @@ class FrameCost {
   glm::ivec2 affordable_size(const ResolvedFrame&, glm::ivec2 asked, double budget_ms) const;
 
  private:
-  double ms_of(double work, glm::ivec2 size) const;
-  double ns_per_unit_;
+  double ns_per_unit(LightMethod) const;
+  double ms_of(LightMethod, double work, glm::ivec2 size) const;
+  double first_guess_ns_;
+  std::map<LightMethod, double> learnt_ns_;
   double ns_per_pixel_;  // all passes but lighting
 };
 

@@ -1,8 +1,11 @@
 #include "renderer/gl/object.h"
 
+#include <array>
+#include <numeric>
+
 namespace gbl::gl {
 namespace {
-int g_live = 0;  // one GL thread
+std::array<int, kKinds> g_live{};  // one GL thread
 }
 
 GLuint create_name(Kind kind) {
@@ -22,7 +25,7 @@ GLuint create_name(Kind kind) {
     case Kind::evaluation_shader: id = glCreateShader(GL_TESS_EVALUATION_SHADER); break;
     case Kind::transform_feedback: glGenTransformFeedbacks(1, &id); break;
   }
-  ++g_live;
+  ++g_live[static_cast<size_t>(kind)];
   return id;
 }
 
@@ -42,9 +45,11 @@ void delete_name(Kind kind, GLuint id) {
     case Kind::evaluation_shader: glDeleteShader(id); break;
     case Kind::transform_feedback: glDeleteTransformFeedbacks(1, &id); break;
   }
-  --g_live;
+  --g_live[static_cast<size_t>(kind)];
 }
 
-int live_names() { return g_live; }
+int live_names(Kind kind) { return g_live[static_cast<size_t>(kind)]; }
+
+int live_names() { return std::accumulate(g_live.begin(), g_live.end(), 0); }
 
 }  // namespace gbl::gl

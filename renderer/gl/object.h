@@ -2,6 +2,7 @@
 // GL objects: move-only, typed, counted; 0 is "none". What is alive is counted, so that a test can see a leak.
 #include <epoxy/gl.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace gbl::gl {
@@ -21,9 +22,11 @@ enum class Kind {
   evaluation_shader,
   transform_feedback
 };
+inline constexpr size_t kKinds = static_cast<size_t>(Kind::transform_feedback) + 1;
 
 GLuint create_name(Kind);
 void delete_name(Kind, GLuint);
+int live_names(Kind);
 int live_names();  // over all kinds
 
 template <Kind kKind>

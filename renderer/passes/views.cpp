@@ -133,7 +133,7 @@ const gl::Program& use_view(const Frame& frame, View view, int as) {
 // Pictures begin at the top, texels at the bottom: the rows of the grid are turned round.
 void set_pixel_grid(const gl::Program& program, glm::ivec2 size, const PixelGrid& pixels) {
   const int last = pixels.first.y + (pixels.count.y - 1) * pixels.step.y;
-  glUniform4i(program.uniform("pixel_grid"), pixels.first.x, size.y - 1 - last, pixels.step.x, pixels.step.y);
+  glUniform4i(program.find_uniform("pixel_grid"), pixels.first.x, size.y - 1 - last, pixels.step.x, pixels.step.y);
 }
 
 void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Targets& targets,
@@ -142,20 +142,23 @@ void Renderer::draw_view(View view, const Settings& s, const GpuScene& scene, Ta
   Frame frame = frame_of(s, scene, targets);
   if (needs_truth(view)) return draw_truth_view(frame, view, options, targets.canvases.view(view));
   Canvas& canvas = targets.canvases.view(view);
-  const gl::PassScope scope(targets.timers, "views");
-  bind_view(frame, view);
-  begin_drawing(canvas.framebuffer, s.size, {});
-  const ViewLook look = look_of(s.view.looks, row(view).id);
-  const gl::Program& program = options.raw || look.raw ? use_view(frame, view, VIEW_AS_STORED)
-                               : look.plain()          ? use_view(frame, view, VIEW_AS_SHOWN)
-                                                       : use_look(frame, view, look);
-  set_colours(frame, program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
-  shapes_.draw_fullscreen();
+  {
+    const gl::PassScope scope(targets.timers, "views");
+    bind_view(frame, view);
+    begin_drawing(canvas.framebuffer, s.size, {});
+    const ViewLook look = look_of(s.view.looks, row(view).id);
+    const gl::Program& program = options.raw || look.raw ? use_view(frame, view, VIEW_AS_STORED)
+                                 : look.plain()          ? use_view(frame, view, VIEW_AS_SHOWN)
+                                                         : use_look(frame, view, look);
+    set_colours(frame, program, view, shown_range(view, s, scene.scene().bounds, options.stats), options.stats);
+    shapes_.draw_fullscreen();
+  }
   const bool of_the_picture = view != View::shadow_maps;  // what is laid over it is
   if (options.overlays && of_the_picture) draw_overlays(view, s, scene, targets, options, canvas);
 }
 
-// The topmost last; then the wires and the outline, which cover little.
+// The topmost last; then the wires and the outline, which cover little. What an overlay counts is a pass of its own: no
+// timer runs within another.
 void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scene, Targets& targets,
                              const ViewOptions& options, Canvas& into) {
   for (const Overlay& o : s.view.overlays) {
@@ -163,6 +166,7 @@ void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scen
     if (view == under || needs_truth(view) || !why_missing(view, targets.drawn->settings).empty()) continue;
     count_for(view, s, scene, targets);
     Frame frame = frame_of(s, scene, targets);
+    const gl::PassScope scope(targets.timers, "views");
     bind_view(frame, view);
     begin_drawing(into.framebuffer, s.size, {.blend = gl::Blend::alpha});
     const gl::Program& program = use_view(frame, view, VIEW_AS_OVERLAY);
@@ -171,7 +175,9 @@ void Renderer::draw_overlays(View under, const Settings& s, const GpuScene& scen
     glUniform1f(program.uniform("opacity"), static_cast<float>(o.opacity));
     shapes_.draw_fullscreen();
   }
+  if (s.view.volumes == VolumeOverlay::off && s.view.object == 0) return;
   Frame frame = frame_of(s, scene, targets);
+  const gl::PassScope scope(targets.timers, "views");
   draw_volume_wires(frame, into);
   draw_outline(frame, into);
 }

@@ -105,8 +105,8 @@ TEST_F(BackgroundAdvices, ItStopsWhereverItIs) {
 
 TEST_F(BackgroundAdvices, WhatCannotBeMeasuredIsItsReasonToStop) {
   const Settings s = settled();
-  lab_->cost().learn(1e6, 50000);  // the machine is believed to be very slow
-  lab_->cost().learn(1e6, 50000);
+  lab_->cost().learn(LightMethod::volumes, 1e6, 50000);  // the machine is believed to be very slow
+  lab_->cost().learn(LightMethod::volumes, 1e6, 50000);
   frame(s, kRun);
   for (int k = 0; k < 1000 && frame(s, kOpen); ++k) {
   }

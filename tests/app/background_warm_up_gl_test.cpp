@@ -3,6 +3,7 @@
 
 #include "renderer/passes/programs.h"
 #include "tests/app/viewer_fixture.h"
+#include "tests/passes/all_pairs.h"
 
 namespace gbl::test {
 namespace {
@@ -67,6 +68,25 @@ TEST_F(WarmUp, ThePicturesOfTheWindowStay) {
   EXPECT_EQ(lab_->scene_name(), "yard");
   lab_->draw_view(View::final);
   EXPECT_TRUE(lab_->image_of(View::final) == before);
+}
+
+// The window itself may fill the cache while the job stands still.
+TEST_F(WarmUp, WhatItHoldsIsGivenBackWhenOthersHaveFilledTheCache) {
+  Settings now = preset("start").make();
+  now.size = kWindow;
+  job_->update(now, showing({View::final}), true);
+  EXPECT_TRUE(job_->busy());
+  lab_->show("yard", std::make_shared<const Scene>(make_yard()));
+  Pcg32 random(1);
+  while (lab_->renderer().has_room_for_programs()) {
+    Settings s = random_choices(random, {32, 18});
+    s.scene = "yard";
+    lab_->draw(s);
+  }
+  const int held = gl::live_names(gl::Kind::vertex_array);
+  job_->update(now, showing({View::final}), true);
+  EXPECT_FALSE(job_->busy());
+  EXPECT_LT(gl::live_names(gl::Kind::vertex_array), held) << "its scene";
 }
 
 }  // namespace

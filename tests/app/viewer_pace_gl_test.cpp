@@ -13,7 +13,7 @@ TEST_F(ViewerPace, AFramePredictedTooSlowIsDrawnReducedWithABanner) {
   update(s, showing({View::final}));
   EXPECT_EQ(banner(), "");
   settle(s, showing({View::final}));
-  lab_->cost().learn(1e6, 2000);  // 2 microseconds a pair, halved by what was learnt before
+  lab_->cost().learn(LightMethod::fullscreen, 1e6, 2000);  // 2 microseconds a pair, halved by what was learnt before
   s.ambient = 0.1;
   update(s, showing({View::final}));
   const glm::ivec2 drawn = lab_->drawn().size;
@@ -25,6 +25,28 @@ TEST_F(ViewerPace, AFramePredictedTooSlowIsDrawnReducedWithABanner) {
   Settings small = s;
   small.size = drawn;
   EXPECT_EQ(lab_->drawn(), small) << "nothing else is changed";
+}
+
+// After a frame that took forever, as when the machine has slept: nobody need touch the window.
+TEST_F(ViewerPace, APictureThatWasMadeSmallForNothingBecomesLargeAgainByItself) {
+  Settings s = yard_settings({320, 180});
+  update(s, showing({View::final}));
+  settle(s, showing({View::final}));
+  const Image before = lab_->image_of(View::final);
+  lab_->cost().learn(s.lights.method, 1e6, 3600e3);
+  s.ambient = 0.1;
+  update(s, showing({View::final}));
+  EXPECT_EQ(lab_->drawn().size, glm::ivec2(113, 64));
+  EXPECT_NE(banner(), "");
+  for (int k = 0; k < 10; ++k) {
+    settle(s, showing({View::final}));
+    update(s, showing({View::final}));
+  }
+  EXPECT_EQ(lab_->drawn().size, s.size);
+  EXPECT_EQ(banner(), "");
+  s.ambient = yard_settings().ambient;
+  update(s, showing({View::final}));
+  EXPECT_TRUE(lab_->image_of(View::final) == before);
 }
 
 // Of an answer that is late the lab must not learn what the frame drawn since would cost.
@@ -53,14 +75,14 @@ TEST_F(ViewerPace, MovingHalvesTheSizeOfASlowPictureAndRestGivesItBack) {
   if (!lab_->device().software) GTEST_SKIP() << "only a software driver is given smaller pictures while moving";
   Settings s = yard_settings();
   s.lights.method = LightMethod::fullscreen;
-  lab_->cost().learn(1e6, 1000);  // 500 ns a pair: 460 ms, slow but no cause for a banner
+  lab_->cost().learn(LightMethod::fullscreen, 1e6, 1000);  // 500 ns a pair: 460 ms, slow but no cause for a banner
   const ui::Requests all = showing_all();
   update(s, all, true);
   EXPECT_EQ(lab_->drawn().size, s.size / 2);
   EXPECT_EQ(banner(), "");
   EXPECT_TRUE(viewer_->busy());
   EXPECT_EQ(viewer_->input(0).images[0].size, s.size / 2);
-  lab_->cost().learn(1e6, 1000);
+  lab_->cost().learn(LightMethod::fullscreen, 1e6, 1000);
   s.time_s = 1;
   update(s, all, true);
   EXPECT_EQ(lab_->drawn().size, s.size / 2);

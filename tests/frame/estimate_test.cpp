@@ -122,15 +122,37 @@ TEST(FrameCost, LearnsFromFramesAndIgnoresEmptyOnes) {
   const Settings s = with(LightMethod::fullscreen);
   FrameCost cost(true);
   const double guess = cost.predict_ms(resolved(s));
-  cost.learn(1e4, 1000);  // too little work
-  cost.learn(1e9, 0);
-  cost.learn(1e9, -1);
-  cost.learn(1e9, std::nan(""));
+  cost.learn(LightMethod::fullscreen, 1e4, 1000);  // too little work
+  cost.learn(LightMethod::fullscreen, 1e9, 0);
+  cost.learn(LightMethod::fullscreen, 1e9, -1);
+  cost.learn(LightMethod::fullscreen, 1e9, std::nan(""));
   EXPECT_EQ(cost.predict_ms(resolved(s)), guess);
   const double pixels = 1280.0 * 720;
-  for (int i = 0; i < 60; ++i) cost.learn(1e9, 20000);  // 20 ns a pair
+  for (int i = 0; i < 60; ++i) cost.learn(LightMethod::fullscreen, 1e9, 20000);  // 20 ns a pair
   EXPECT_NEAR(cost.predict_ms(resolved(s)), pixels * ((64 + kPixel) * 20 + 60) * 1e-6, 1e-6 * guess);
   EXPECT_LT(FrameCost(false).predict_ms(resolved(s)), guess);
+}
+
+TEST(FrameCost, WhatOneMethodDoesBeyondItsUnitsIsNotBlamedOnTheOthers) {
+  FrameCost cost(true);
+  for (int i = 0; i < 9; ++i) cost.learn(LightMethod::volumes, 1e9, 4000);
+  const double before = cost.predict_ms(resolved(with(LightMethod::volumes)));
+  const double of_another = cost.predict_ms(resolved(with(LightMethod::quads)));
+  for (int i = 0; i < 9; ++i) cost.learn(LightMethod::forward_multipass, 1e6, 50000);  // it drew all objects 64 times
+  EXPECT_EQ(cost.predict_ms(resolved(with(LightMethod::volumes))), before);
+  EXPECT_EQ(cost.predict_ms(resolved(with(LightMethod::quads))), of_another) << "not drawn yet: as the quickest";
+  EXPECT_GT(cost.predict_ms(resolved(with(LightMethod::forward_multipass))), 1000 * before);
+}
+
+// A machine that slept through a frame: the next pictures are so small that little can be learnt from them.
+TEST(FrameCost, AFrameThatTookForeverIsForgottenThroughSmallOnes) {
+  const Settings s = with(LightMethod::fullscreen);
+  FrameCost cost(true);
+  const double before = cost.predict_ms(resolved(s));
+  cost.learn(LightMethod::fullscreen, 1e6, 3600e3);
+  EXPECT_GT(cost.predict_ms(resolved(s)), 1e4 * before);
+  cost.learn(LightMethod::fullscreen, 5e4, 5e4 * 3e-6);  // 3 ns a unit
+  EXPECT_LT(cost.predict_ms(resolved(s)), 2 * before);
 }
 
 TEST(FrameCost, AffordableSizeFitsTheBudgetInTheSameProportions) {

@@ -222,5 +222,21 @@ TEST_F(Laid, OneLaidOverAPictureChangesWhatItMarksAndNothingElse) {
   }
 }
 
+// While something moves nothing is counted beforehand: the overlay counts by itself.
+TEST_F(Laid, WhatAnOverlayCountsIsTimedApart) {
+  if (!gl::device().features.has(Feature::timer_query)) GTEST_SKIP() << "no timer queries here";
+  Stage stage(yard());
+  Settings s = volumes(LightCull::flip_safe);
+  s.view.overlays = {{.view = row(View::lights_per_pixel).id}};
+  FrameReport report = stage.draw(s);
+  stage.view(View::final, s, {.overlays = true});
+  EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << "a timer began within another";
+  stage.renderer.collect(stage.targets, report, true);
+  std::vector<std::string> last;
+  for (const PassTime& p : report.passes) last.push_back(p.pass);
+  ASSERT_GE(last.size(), 3u);
+  EXPECT_EQ(std::vector(last.end() - 3, last.end()), (std::vector<std::string>{"views", "count", "views"}));
+}
+
 }  // namespace
 }  // namespace gbl::test

@@ -194,8 +194,8 @@ TEST_F(BackgroundStudies, TheSettingsAtHandAreMeasuredWhenTheyChangeAndOnlyWithT
 
 TEST_F(BackgroundStudies, WhatCannotBeMeasuredIsARowWithItsReason) {
   Settings s = settled();
-  lab_->cost().learn(1e6, 50000);  // the machine is believed to be very slow
-  lab_->cost().learn(1e6, 50000);
+  lab_->cost().learn(LightMethod::volumes, 1e6, 50000);  // the machine is believed to be very slow
+  lab_->cost().learn(LightMethod::volumes, 1e6, 50000);
   s.lights.method = LightMethod::fullscreen;
   s.size = {4, 4};
   run_to_end(s, {.open = true});

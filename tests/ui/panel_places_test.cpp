@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/base/error.h"
+#include "renderer/options/settings_json.h"
 #include "tests/ui/ui_desk.h"
 #include "ui/closed_sets.h"
 
@@ -51,6 +52,17 @@ TEST(PanelPlaces, ALockedPanelKeepsItsLookWhileTheViewIsLookedAtOtherwise) {
   desk.press("k", false, true);
   EXPECT_TRUE(desk.requests.locked.empty());
   EXPECT_TRUE(desk.settings.view.panels.empty());
+}
+
+// A figure and the session keep these settings: what is written must be read again.
+TEST(PanelPlaces, StoredCodesAreLockedAsTheyAre) {
+  Desk desk;
+  desk.settings.view.main = "final";
+  desk.press("u", false, true);
+  desk.press("k", false, true);
+  ASSERT_EQ(desk.requests.locked.size(), 1u);
+  EXPECT_EQ(text_of(desk.requests.locked[0]), "final:raw");
+  EXPECT_EQ(parse_settings(settings_text(desk.settings), "settings"), desk.settings);
 }
 
 TEST(PanelPlaces, AClickOnATitleChoosesAndALockedPanelIsNeverTheLargeOne) {

@@ -110,7 +110,7 @@ TEST(Window, ends_in_its_own_words_when_the_display_goes_and_its_session_stays) 
   for (int k = 0; k < 20 && !kept(); ++k) std::this_thread::sleep_for(std::chrono::seconds(1));
   ASSERT_TRUE(kept()) << "it is written every few seconds";
   EXPECT_EQ(desk.lose_display(), static_cast<int>(ExitCode::unfinished));
-  EXPECT_EQ(desk.complaints(),
+  EXPECT_EQ(desk.said(),
             "gbufferlab: window: the display was lost; start it again, pictures that were saved are kept\n");
   EXPECT_TRUE(kept());
 }

@@ -6,12 +6,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
 #include "renderer/options/settings_json.h"
+#include "tests/flatness.h"
 #include "tests/test_paths.h"
 
 namespace gbl {
@@ -73,6 +75,16 @@ void stop(int& child) {
 
 }  // namespace
 
+std::string xdotool_name(const ui::KeyEvent& e) {
+  static const std::map<std::string, std::string> kNames = {
+      {"[", "bracketleft"}, {"]", "bracketright"}, {",", "comma"},    {".", "period"},
+      {"+", "plus"},        {"-", "minus"},        {"PgUp", "Prior"}, {"PgDn", "Next"},
+      {"Enter", "Return"},  {"Space", "space"},    {"Esc", "Escape"}, {"/", "slash"}};
+  const auto named = kNames.find(e.key);
+  return std::string(e.ctrl ? "ctrl+" : "") + (e.shift ? "shift+" : "") +
+         (named == kNames.end() ? e.key : named->second);
+}
+
 WindowDesk::WindowDesk(const std::vector<std::string>& arguments, fs::path state) : state_(std::move(state)) {
   for (const char* needed : {"Xvfb", "xdotool"})
     if (!have(needed)) missing_ = needed;
@@ -93,6 +105,7 @@ WindowDesk::WindowDesk(const std::vector<std::string>& arguments, fs::path state
 WindowDesk::~WindowDesk() {
   stop(program_);
   stop(server_);
+  fmt::print(stderr, "{}", said());
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
 }
@@ -127,7 +140,7 @@ void WindowDesk::start_program(const std::vector<std::string>& arguments) {
   unsetenv("WAYLAND_DISPLAY");
   setenv("XDG_STATE_HOME", state_.c_str(), 1);  // and never the session of whoever runs the tests
   if (chdir(folder_.c_str()) != 0) _exit(127);
-  dup2(::open("complaints", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
+  dup2(::open("said", O_WRONLY | O_CREAT | O_TRUNC, 0666), STDERR_FILENO);
   std::string program_file = test::program();
   std::vector<char*> argv = {program_file.data(), const_cast<char*>("view")};
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
@@ -198,6 +211,16 @@ void WindowDesk::type(const std::string& text) {
 
 double WindowDesk::computed_s() const { return static_cast<double>(activity_of(program_).computed_ns) * 1e-9; }
 
+double WindowDesk::resident_mib() const { return test::resident_mib(program_); }
+
+std::string WindowDesk::said() const {
+  std::ostringstream text;
+  text << std::ifstream(folder_ / "said").rdbuf();
+  return text.str();
+}
+
+bool WindowDesk::runs() const { return program_ > 0 && waitpid(program_, nullptr, WNOHANG) == 0; }
+
 int WindowDesk::close() {
   press("ctrl+x");
   return ended("Ctrl+X did not close the window");
@@ -208,12 +231,6 @@ int WindowDesk::lose_display() {
   waitpid(server_, nullptr, 0);
   server_ = -1;
   return ended("it did not end with its display");
-}
-
-std::string WindowDesk::complaints() const {
-  std::ostringstream text;
-  text << std::ifstream(folder_ / "complaints").rdbuf();
-  return text.str();
 }
 
 int WindowDesk::ended(const char* why_not) {

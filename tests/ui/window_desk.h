@@ -9,6 +9,7 @@
 
 #include "renderer/options/settings.h"
 #include "renderer/picture/image.h"
+#include "ui/ui.h"
 
 namespace gbl {
 
@@ -17,6 +18,8 @@ struct Figure {
   Settings settings;
   std::filesystem::path file;  // as long as the desk stands
 };
+
+std::string xdotool_name(const ui::KeyEvent&);
 
 class WindowDesk {
  public:
@@ -27,7 +30,10 @@ class WindowDesk {
 
   bool open() const { return !window_.empty(); }
   std::string why_not() const { return why_not_; }
-  double computed_s() const;                        // seconds of a processor that the program has used
+  double computed_s() const;    // seconds of a processor that the program has used
+  double resident_mib() const;  // the program's memory that is in RAM
+  bool runs() const;
+  std::string said() const;                         // by the program, on stderr
   std::string missing() const { return missing_; }  // a program that the test needs; empty = all there
   void press(const std::string& xdotool_key);       // "c", "shift+c", "Page_Down"
   void hold(const std::string& key, int milliseconds);
@@ -35,7 +41,6 @@ class WindowDesk {
   void type(const std::string& text);
   int close();                                              // by its key; the program's exit code
   int lose_display();                                       // its X server is killed; the program's exit code
-  std::string complaints() const;                           // what it has written to its standard error
   Figure figure(const char* key = "shift+F12");             // presses F12 and reads the file it saved
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
 

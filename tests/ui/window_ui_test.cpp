@@ -14,16 +14,6 @@
 namespace gbl {
 namespace {
 
-std::string xdotool_name(const ui::KeyEvent& e) {
-  static const std::map<std::string, std::string> kNames = {
-      {"[", "bracketleft"}, {"]", "bracketright"}, {",", "comma"},    {".", "period"},
-      {"+", "plus"},        {"-", "minus"},        {"PgUp", "Prior"}, {"PgDn", "Next"},
-      {"Enter", "Return"},  {"Space", "space"},    {"Esc", "Escape"}, {"/", "slash"}};
-  const auto named = kNames.find(e.key);
-  return std::string(e.ctrl ? "ctrl+" : "") + (e.shift ? "shift+" : "") +
-         (named == kNames.end() ? e.key : named->second);
-}
-
 // What must be on screen before a key can do anything.
 const std::map<std::string, std::vector<std::string>> kBefore = {
     {"view.all", {"2"}},

@@ -1,0 +1,100 @@
+// A lab that is used for a long time does not grow, leak or change. GBL_LONG_RUN_S=600: for ten minutes.
+#include <malloc.h>
+
+#include "renderer/base/memory.h"
+#include "tests/app/long_run.h"
+#include "tests/flatness.h"
+
+namespace gbl::test {
+namespace {
+
+struct Held {
+  double seconds, resident_mib, heap_mib;
+  std::array<int, gl::kKinds> names;
+  std::map<std::string, int> textures;  // by label
+};
+
+// OpenGL's names are small numbers, used again when they are free.
+std::map<std::string, int> labelled_textures() {
+  constexpr GLuint kMostNames = 1 << 14;
+  std::map<std::string, int> out;
+  for (GLuint id = 1; id < kMostNames; ++id) {
+    if (!glIsTexture(id)) continue;
+    char label[64] = "";
+    if (gl::device().features.has(Feature::debug_labels))
+      glGetObjectLabel(GL_TEXTURE, id, sizeof label, nullptr, label);
+    ++out[label];
+  }
+  return out;
+}
+
+double heap_mib() {
+  const struct mallinfo2 now = mallinfo2();
+  return static_cast<double>(now.uordblks + now.hblkhd) / (1 << 20);
+}
+
+class LongRuns : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    fmt::print(
+        "   seconds  cycles  resident  heap MiB  names: textures, buffers, vertex arrays, framebuffers, "
+        "renderbuffers, programs, queries, …\n");
+  }
+  const Held& record() {
+    malloc_trim(0);  // what the allocator keeps free for later says nothing
+    Held now{seconds(), resident_mib(getpid()), heap_mib(), {}, labelled_textures()};
+    for (size_t k = 0; k < gl::kKinds; ++k) now.names[k] = gl::live_names(static_cast<gl::Kind>(k));
+    records_.push_back(now);
+    fmt::print("{:10.0f}{:8}{:10.1f}{:10.1f}  {}\n", now.seconds, records_.size() - 1, now.resident_mib, now.heap_mib,
+               fmt::join(now.names, " "));
+    std::fflush(stdout);
+    return records_.back();
+  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+  double growth_of(double Held::*what) const {
+    std::vector<double> values;
+    for (const Held& h : records_) values.push_back(h.*what);
+    return growth(values);
+  }
+
+  std::vector<Held> records_;  // after each cycle
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+TEST_F(LongRuns, NothingGrowsLeaksOrChanges) {
+  return_freed_memory();  // as the program does
+  LongRun run(2026);
+  run.go_back();
+  const std::map<View, Image> first = run.pictures();
+  const double most_s = long_run_s(180);
+  // The cache of programs and the driver's of their variants.
+  while (run.compiled() < 8 * static_cast<int>(ProgramCache::kMost)) run.cycle();
+  constexpr size_t kFewest = 6, kMost = 30;  // cycles: to say anything, and to visit all
+  do {
+    run.cycle();
+    record();
+    for (const auto& [view, image] : run.pictures()) {
+      const Image& before = first.at(view);
+      ASSERT_EQ(image.size, before.size) << row(view).id << ": " << run.said();
+      if (!(image == before)) {
+        write_png(build_folder() / fmt::format("long-run-{}.png", row(view).id), image);
+        write_png(build_folder() / fmt::format("long-run-{}-first.png", row(view).id), before);
+      }
+      EXPECT_TRUE(image == before) << row(view).id << " is not the first one; both are in " << build_folder();
+    }
+  } while (seconds() < most_s || records_.size() < kFewest || (records_.size() < kMost && !run.left_out().empty()));
+  EXPECT_EQ(run.left_out(), "") << "not visited";
+  EXPECT_GT(run.refused(), 0) << "nonsense was taken";
+  EXPECT_LE(growth_of(&Held::resident_mib), 0.02);
+  EXPECT_LE(growth_of(&Held::heap_mib), 0.02);
+  for (const Held& h : after_warm_up(records_)) {
+    EXPECT_EQ(h.names, records_.back().names);
+    EXPECT_EQ(h.textures, records_.back().textures);
+  }
+  fmt::print("{} settings drawn, {} refused on purpose; resident {:+.2f} %, heap {:+.2f} %\n", run.drawn(),
+             run.refused(), 100 * growth_of(&Held::resident_mib), 100 * growth_of(&Held::heap_mib));
+}
+
+}  // namespace
+}  // namespace gbl::test
