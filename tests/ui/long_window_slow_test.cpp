@@ -77,6 +77,7 @@ TEST_F(LongWindow, NeitherGrowsNorStopsNorChanges) {
     record();
     ASSERT_TRUE(desk_.runs());
     ASSERT_EQ(desk_.said(), "") << "OpenGL's errors among it";
+    ASSERT_GT(now.picture.size.x, 0) << "it does not answer";
     desk_.keep("long-window", now);
     ASSERT_EQ(settings_text(now.settings), settings_text(first.settings));
     ASSERT_TRUE(now.picture == first.picture)
