@@ -63,11 +63,17 @@ TEST_F(FormatKeepers, AFileThatIsNoneIsAsGoodAsNone) {
   EXPECT_TRUE(FormatKeeper(folder_ / "format-checks.json" / "x", gl::device()).doubts(drawn()).empty());
 }
 
-class DoubtfulDevice : public ViewerTest {};
+// Broken before the lab starts: what other tests have found to hold is kept for other shaders.
+class DoubtfulDevice : public ViewerTest {
+ protected:
+  void SetUp() override {
+    copy_.insert("shaders/depth.glsl", "  // near far / (far - depth", "  return 1.0;");
+    ViewerTest::SetUp();
+  }
+  ShaderCopy copy_;
+};
 
 TEST_F(DoubtfulDevice, TheWindowSaysSo) {
-  ShaderCopy copy;
-  copy.insert("shaders/depth.glsl", "  // near far / (far - depth", "  return 1.0;");
   Settings s = yard_settings();
   s.depth.format = DepthFormat::d16;
   update(s, showing({View::final}));

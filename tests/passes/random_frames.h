@@ -213,7 +213,8 @@ class FrameJudge {
     // Without the witness, which would be wrong in the same way where all shaders are.
     const BoundCheck b = check_bound(truth->truth, read_lit(targets_), {}, {s.exposure, s.colour}, 1 / 255.0);
     v.judged = b.compared, v.over = b.over;
-    if (b.share_over() > 0.002)
+    // At silhouettes, terminators and highlights floats may be off: as large a share as in the tests of the reference.
+    if (double(b.over) > 2 + 0.005 * double(b.compared))
       v.wrong +=
           fmt::format("{} of {} pixels are off the reference by more than a code, the worst by {:.3g} codes at {},{}; ",
                       b.over, b.compared, 255 * b.worst, b.worst_pixel.x, b.worst_pixel.y);

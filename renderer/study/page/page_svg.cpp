@@ -118,8 +118,9 @@ std::string dot(const PageChart& c, const PagePoint& p) {
       y_other, p.row ? fmt::format(" data-row=\"{}\"", *p.row) : "", at.x, at.y);
   text += "<title>" + html_text(p.words) + "</title>";
   if (p.marked) text += R"(<circle class="ring" r="9"/>)";
+  text += fmt::format("<path d=\"{}\"/>", kShapes[p.family % std::size(kShapes)]);
   if (p.noisy) text += R"(<path class="noisy" d="M-8-8L8 8M-8 8L8-8"/>)";
-  return text + fmt::format("<path d=\"{}\"/></g>\n", kShapes[p.family % std::size(kShapes)]);
+  return text + "</g>\n";
 }
 
 // UTF-8: what continues a letter is none.
