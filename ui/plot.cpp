@@ -206,6 +206,13 @@ void Plot::draw_marks(const std::vector<glm::dvec2>& points, const SeriesLook& l
     if (shows(p)) draw_mark(painter_.list(), at(p), radius, look);
 }
 
+void Plot::cross_out(const glm::dvec2& p, ImU32 colour, float radius) {
+  if (!shows(p)) return;
+  const ImVec2 c = at(p);
+  for (const float side : {-1.0f, 1.0f})
+    painter_.list().AddLine({c.x - radius, c.y - side * radius}, {c.x + radius, c.y + side * radius}, colour, 1.5f);
+}
+
 // ---- legend ------------------------------------------------------------------------------------------------
 namespace {
 

@@ -68,6 +68,7 @@ class Plot {
   void draw_line(const std::vector<glm::dvec2>&, ImU32 colour, float thickness);
   void draw_steps(const std::vector<glm::dvec2>&, ImU32 colour, float thickness);    // across, then up or down
   void draw_marks(const std::vector<glm::dvec2>&, const SeriesLook&, float radius);  // of those that it shows
+  void cross_out(const glm::dvec2&, ImU32 colour, float radius);                     // what lies there is still seen
 
  private:
   void draw_x_ticks();

@@ -209,8 +209,8 @@ class LongRun {
 
   // ---- what is done there ----
 
-  void look(const Settings& s, ui::Requests r) { play(s, r); }
-  void move(const Settings& from, ui::Requests r) {
+  void look(const Settings& s, const ui::Requests& r) { play(s, r); }
+  void move(const Settings& from, const ui::Requests& r) {
     Settings s = from;
     for (int k = 0; k < 3; ++k) {
       s.camera.position.x += 0.1, s.time_s += 0.1;
@@ -218,18 +218,21 @@ class LongRun {
     }
     play(s, r);
   }
-  void probe(const Settings& s, ui::Requests r) {
+  void probe(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.probe =
         glm::ivec2(random_.next() % static_cast<uint32_t>(s.size.x), random_.next() % static_cast<uint32_t>(s.size.y));
     r.account = true;
     play(s, r);
   }
-  void print_numbers(const Settings& s, ui::Requests r) {
+  void print_numbers(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.numbers = {View::normal, PixelGrid{{1, 2}, {1, 1}, {9, 5}}};
     r.magnified = true;
     play(s, r);
   }
-  void compare(const Settings& s, ui::Requests r, ui::BesideA what, const std::string& file = "") {
+  void compare(const Settings& s, const ui::Requests& asked, ui::BesideA what, const std::string& file = "") {
+    ui::Requests r = asked;
     Settings b = cured(s);
     b.exposure *= 2;
     Settings a = s;
@@ -238,79 +241,88 @@ class LongRun {
     r.compare = {.what = what, .view = View::final, .b = b, .file = file, .difference = true, .with_sign = chance(0.5)};
     play(a, r);
   }
-  void compare_settings(const Settings& s, ui::Requests r) { compare(s, r, ui::BesideA::settings); }
-  void compare_truth(const Settings& s, ui::Requests r) { compare(s, r, ui::BesideA::truth); }
-  void compare_picture(const Settings& s, ui::Requests r) { compare(s, r, ui::BesideA::picture, picture()); }
-  void compare_layers(const Settings& s, ui::Requests r) { compare(s, r, ui::BesideA::picture, layers()); }
-  void look_from_outside(const Settings& s, ui::Requests r) {
+  void compare_settings(const Settings& s, const ui::Requests& r) { compare(s, r, ui::BesideA::settings); }
+  void compare_truth(const Settings& s, const ui::Requests& r) { compare(s, r, ui::BesideA::truth); }
+  void compare_picture(const Settings& s, const ui::Requests& r) { compare(s, r, ui::BesideA::picture, picture()); }
+  void compare_layers(const Settings& s, const ui::Requests& r) { compare(s, r, ui::BesideA::picture, layers()); }
+  void look_from_outside(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.outside = ui::OutsideRequest{.from = s.camera, .size = {120, 80}, .colours = View::final};
     r.outside->from.position += glm::dvec3(5, 5, 5);
     play(s, r);
   }
-  void lock(const Settings& s, ui::Requests r) {
+  void lock(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.locked = {{.view = "depth", .look = {.fit = true, .map = ColourMap::viridis}},
                 {.view = "normal", .look = {.channels = "r"}}};
     play(s, r);
   }
-  void chart(const Settings& s, ui::Requests r) {
+  void chart(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.chart = {.open = true, .study = studies_.deal(random_), .run = true};
     play(s, r, 0.6);
   }
-  void sweep(const Settings& s, ui::Requests r) {
+  void sweep(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.stability = {.open = true, .sweep = sweeps_.deal(random_), .run = true};
     play(s, r, 0.6);
   }
-  void advise(const Settings& s, ui::Requests r) {
+  void advise(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.advisor = {.open = true, .budget = {8 / 255.0, 0.02}, .run = true};
     play(s, r, 0.6);
   }
-  void open_pitfall(const Settings& s, ui::Requests r) {
+  void open_pitfall(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.pitfall.id = pitfalls_.deal(random_);
     play(s, r, 0.6);
   }
-  void list_pitfalls(const Settings& s, ui::Requests r) {
+  void list_pitfalls(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.pitfall.list = true;
     play(s, r, 0.6);
   }
-  void save_picture(const Settings& s, ui::Requests r) {
+  void save_picture(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.visible[static_cast<size_t>(View::final)] = true;
     play(s, r);
     write_png(picture(), lab_.image_of(View::final), picture_texts("gbufferlab render", lab_.drawn(), lab_.machine()));
   }
-  void save_layers(const Settings& s, ui::Requests r) {
+  void save_layers(const Settings& s, const ui::Requests& r) {
     play(s, r);
     std::vector<View> shown;
     for (const View v : {View::lit, View::normal, View::error})
       if (why_missing(v, lab_.drawn()).empty()) shown.push_back(v);
     write_layers(layers(), lab_, shown, {});
   }
-  void open_picture(const Settings& s, ui::Requests r) {
+  void open_picture(const Settings& s, const ui::Requests& r) {
     viewer_.drop(picture());
     viewer_.finish_loading();
     const auto opened = viewer_.take_opened(s);
     ASSERT_TRUE(opened) << viewer_.input(0).message;
     play(opened->settings, r);
   }
-  void open_what_is_no_model(const Settings& s, ui::Requests r) {
+  void open_what_is_no_model(const Settings& s, const ui::Requests& r) {
     viewer_.drop(models_.write("bad.glb", {'g', 'l', 'T', 'F', 2, 0, 0, 0}).string());
     viewer_.finish_loading();
     EXPECT_FALSE(viewer_.take_opened(s));
     refused_ += viewer_.input(0).message_is_error;
     play(s, r);
   }
-  void ask_for_nonsense(const Settings& s, ui::Requests r) {
+  void ask_for_nonsense(const Settings& s, const ui::Requests& r) {
     Settings bad = s;
     bad.camera.far = bad.camera.near, bad.size = {33, 17};
     frame(bad, r);
     refused_ += viewer_.input(0).message_is_error;
     play(s, r);
   }
-  void read_shaders_again(const Settings& s, ui::Requests r) {
+  void read_shaders_again(const Settings& s, const ui::Requests& asked) {
+    ui::Requests r = asked;
     r.reload_shaders = true;
     play(s, r);
   }
   // One that compiles anew, and one that does not.
-  void save_shaders(const Settings& s, ui::Requests r) {
+  void save_shaders(const Settings& s, const ui::Requests& r) {
     ShaderCopy copy;
     play(s, r);
     copy.insert("shaders/views/final.glsl", "shown(", "// another text");
@@ -324,7 +336,7 @@ class LongRun {
 
   struct Act {
     const char* name;
-    void (LongRun::*play)(const Settings&, ui::Requests);
+    void (LongRun::*play)(const Settings&, const ui::Requests&);
   };
   static constexpr Act kActs[] = {
       {"look", &LongRun::look},

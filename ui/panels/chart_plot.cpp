@@ -27,7 +27,7 @@ void draw_points(Plot& plot, const ChartView& v, float radius) {
     for (const size_t i : v.shown)
       if (v.point(i).preset == presets) plot.draw_marks({value_of(v.point(i))}, v.look(i), radius);
   for (const size_t i : v.shown)
-    if (v.point(i).noisy) plot.draw_marks({value_of(v.point(i))}, {Mark::cross, theme().unsound}, 1.2f * radius);
+    if (v.point(i).noisy) plot.cross_out(value_of(v.point(i)), theme().unsound, 1.4f * radius);
 }
 
 bool overlap(const Box& a, const Box& b) {
