@@ -132,7 +132,9 @@ namespace {
 void draw_dashes(ImDrawList& list, ImVec2 from, ImVec2 to, float dash) {
   const float length = std::max(to.x - from.x, from.y - to.y);
   const ImVec2 step{(to.x - from.x) / length, (to.y - from.y) / length};
-  for (float at = 0; at < length; at += 2 * dash) {
+  const int dashes = static_cast<int>(std::ceil(length / (2 * dash)));
+  for (int i = 0; i < dashes; ++i) {
+    const float at = 2 * dash * static_cast<float>(i);
     const float end = std::min(at + dash, length);
     list.AddLine({from.x + at * step.x, from.y + at * step.y}, {from.x + end * step.x, from.y + end * step.y},
                  theme().dim, 1);
