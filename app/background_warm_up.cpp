@@ -1,6 +1,5 @@
 #include "app/background_warm_up.h"
 
-#include "renderer/base/error.h"
 #include "renderer/inspect/views.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
@@ -57,7 +56,7 @@ void BackgroundWarmUp::work(glm::ivec2 window_size, const ui::Requests& requests
   begun_ = true;
   try {
     draw_next(window_size, requests);
-  } catch (const Error&) {  // this device cannot draw it: who chooses it is told why
+  } catch (const std::exception&) {  // this device cannot draw it, or there is no room: who chooses it is told why
     next_ = {next_.preset + 1};
   }
 }

@@ -52,7 +52,7 @@ void FormatKeeper::keep() const {
   }
 }
 
-const std::vector<std::string>& FormatKeeper::doubts(const Settings& resolved) {
+void FormatKeeper::check(const Settings& resolved) {
   bool more_held = false;
   for (const StoredAs s : stored_by(resolved)) {
     const std::string name = name_of(s);
@@ -60,10 +60,11 @@ const std::vector<std::string>& FormatKeeper::doubts(const Settings& resolved) {
     const FormatCheck c = check_format(s, gl::probe_rounding());
     (c.holds() ? held_ : failed_).insert(name);
     more_held |= c.holds();
-    if (!c.holds()) doubts_.push_back(c.said());
+    if (c.holds()) continue;
+    doubts_.push_back(c.said());
+    fmt::print(stderr, "gbufferlab: this device, with these shaders: {}; numbers may be wrong\n", doubts_.back());
   }
   if (more_held) keep();
-  return doubts_;
 }
 
 }  // namespace gbl

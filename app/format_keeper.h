@@ -16,8 +16,10 @@ class FormatKeeper {
   // A file that cannot be read is as good as none; so is one that cannot be written.
   FormatKeeper(std::filesystem::path, const gl::Device&);
 
-  // Checks what is new in these settings. The clauses of what has not held so far, in this process.
-  const std::vector<std::string>& doubts(const Settings& resolved);
+  // Checks what is new in these settings; what does not hold is said on the standard error.
+  void check(const Settings& resolved);
+  // A clause for each format that has not held so far, in this process.
+  const std::vector<std::string>& doubts() const { return doubts_; }
 
  private:
   void keep() const;

@@ -40,17 +40,10 @@ void Lab::show(const std::string& name, std::shared_ptr<const Scene> scene) {
   scene_name_ = name;
 }
 
-void Lab::check_formats(const Settings& s) {
-  const std::vector<std::string>& found = formats_.doubts(resolve(s)->settings);
-  for (size_t i = doubts_.size(); i < found.size(); ++i)
-    fmt::print(stderr, "gbufferlab: this device: {}; numbers that it gives may be wrong\n", found[i]);
-  doubts_ = found;
-}
-
 void Lab::draw(const Settings& s) {
   require_valid(s, limits());
   open(s.scene);
-  check_formats(s);
+  formats_.check(resolve(s)->settings);
   static const FrameReport kNothingDrawn;  // of a temporary GCC 12 thinks at -O3 that its strings are never made
   try {
     report_ = renderer_.render(s, *gpu_scene_, targets_);
@@ -63,6 +56,11 @@ void Lab::draw(const Settings& s) {
   }
   drawn_ = s;
   work_[work_index(targets_.timers.frame())] = {targets_.drawn->settings.lights.method, targets_.drawn->light_work};
+}
+
+void Lab::reload_shaders() {
+  renderer_.reload_shaders();
+  formats_ = FormatKeeper(format_file(), device_);
 }
 
 const std::vector<Light>& Lab::lights() const {

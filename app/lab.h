@@ -37,7 +37,7 @@ class Lab {
   void open(const std::string& name);  // nothing if it is open already; on an Error the old one stays
   void show(const std::string& name, std::shared_ptr<const Scene>);  // a scene opened elsewhere
   // What this device was found to store otherwise than the tables say, of the formats drawn so far: one clause each.
-  const std::vector<std::string>& doubts() const { return doubts_; }
+  const std::vector<std::string>& doubts() const { return formats_.doubts(); }
   const std::string& scene_name() const { return scene_name_; }
   // Validates, opens the scene, draws up to `lit`. On an Error nothing has changed.
   void draw(const Settings&);
@@ -73,7 +73,7 @@ class Lab {
   bool take_error_stats(
       bool wait = false);  // an answer of the error view has arrived: its colours are drawn with its range
   void collect(bool wait);
-  void reload_shaders() { renderer_.reload_shaders(); }
+  void reload_shaders();  // what formats were checked with the old ones says nothing about the new
 
   bool has_drawn() const { return report_.size.x > 0; }
   const Settings& drawn() const { return drawn_; }
@@ -89,7 +89,6 @@ class Lab {
   gl::Device device_;
   FrameCost cost_;
   FormatKeeper formats_;
-  std::vector<std::string> doubts_;
   Renderer renderer_;
   std::string scene_name_;
   std::shared_ptr<const GpuScene> gpu_scene_;
@@ -104,7 +103,6 @@ class Lab {
   glm::ivec2 numbers_asked_{0};  // how many pixels
 
   void measure_now(View);
-  void check_formats(const Settings&);
 
   // Of the frames whose times may still be under way: a ring by their numbers.
   static size_t work_index(long long frame) { return static_cast<size_t>(frame) % 8; }

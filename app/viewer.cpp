@@ -344,10 +344,11 @@ ui::Input Viewer::input(double seconds) const {
   in.truth_progress = lab_.truth_progress();
   in.message = message_;
   in.message_is_error = failed_;
-  in.banner = loader_.loading()        ? fmt::format("reading {}: {}", loader_.name(), loader_.progress())
-              : !banner_.empty()       ? banner_
-              : !lab_.doubts().empty() ? fmt::format("this device: {}; numbers may be wrong", lab_.doubts().front())
-                                       : "";
+  in.banner = loader_.loading()  ? fmt::format("reading {}: {}", loader_.name(), loader_.progress())
+              : !banner_.empty() ? banner_
+              : !lab_.doubts().empty()
+                  ? fmt::format("this device, with these shaders: {}; numbers may be wrong", lab_.doubts().front())
+                  : "";
   in.seconds = seconds;
   return in;
 }

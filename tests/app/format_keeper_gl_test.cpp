@@ -19,6 +19,10 @@ class FormatKeepers : public GlTest {
     return s;
   }
   FormatKeeper keeper() { return {file_, gl::device()}; }
+  static std::vector<std::string> doubts(FormatKeeper k) {
+    k.check(drawn());
+    return k.doubts();
+  }
   void break_depth(ShaderCopy& copy) {
     copy.insert("shaders/depth.glsl", "  // near far / (far - depth", "  return 1.0;");
   }
@@ -28,11 +32,11 @@ class FormatKeepers : public GlTest {
 };
 
 TEST_F(FormatKeepers, WhatHeldIsKeptAndNotAskedAgain) {
-  EXPECT_TRUE(keeper().doubts(drawn()).empty());
+  EXPECT_TRUE(doubts(keeper()).empty());
   const Json json = parse_json(read_text_file(file_), "kept");
   EXPECT_EQ(json.begin().value(), Json({"accumulation.format=rgba16f", "depth.format=d24", "normal.encoding=oct16"}));
   const auto written = std::filesystem::last_write_time(file_);
-  EXPECT_TRUE(keeper().doubts(drawn()).empty());
+  EXPECT_TRUE(doubts(keeper()).empty());
   EXPECT_EQ(std::filesystem::last_write_time(file_), written) << "nothing new";
 }
 
@@ -40,27 +44,27 @@ TEST_F(FormatKeepers, WhatDoesNotHoldIsSaidOnceAndAskedAgainNextTime) {
   ShaderCopy copy;
   break_depth(copy);
   FormatKeeper k = keeper();
-  ASSERT_EQ(k.doubts(drawn()).size(), 1u);
-  EXPECT_EQ(k.doubts(drawn()).size(), 1u) << "once";
-  EXPECT_TRUE(k.doubts(drawn()).front().starts_with("depth.format=d24: ")) << k.doubts(drawn()).front();
+  for (int round = 0; round < 2; ++round) k.check(drawn());
+  ASSERT_EQ(k.doubts().size(), 1u) << "once";
+  EXPECT_TRUE(k.doubts().front().starts_with("depth.format=d24: ")) << k.doubts().front();
   EXPECT_EQ(read_text_file(file_).find("depth.format"), std::string::npos);
-  EXPECT_EQ(keeper().doubts(drawn()).size(), 1u);
+  EXPECT_EQ(doubts(keeper()).size(), 1u);
 }
 
 TEST_F(FormatKeepers, OtherShadersAreAskedAnew) {
-  EXPECT_TRUE(keeper().doubts(drawn()).empty());
+  EXPECT_TRUE(doubts(keeper()).empty());
   ShaderCopy copy;
   break_depth(copy);
-  EXPECT_EQ(keeper().doubts(drawn()).size(), 1u);
+  EXPECT_EQ(doubts(keeper()).size(), 1u);
 }
 
 TEST_F(FormatKeepers, AFileThatIsNoneIsAsGoodAsNone) {
   for (const char* text : {"[", "[]", "{\"x\": 1}", "7"}) {
     write_text_file(file_, text);
-    EXPECT_TRUE(keeper().doubts(drawn()).empty()) << text;
+    EXPECT_TRUE(doubts(keeper()).empty()) << text;
   }
-  EXPECT_TRUE(FormatKeeper({}, gl::device()).doubts(drawn()).empty());
-  EXPECT_TRUE(FormatKeeper(folder_ / "format-checks.json" / "x", gl::device()).doubts(drawn()).empty());
+  EXPECT_TRUE(doubts(FormatKeeper({}, gl::device())).empty());
+  EXPECT_TRUE(doubts(FormatKeeper(folder_ / "format-checks.json" / "x", gl::device())).empty());
 }
 
 // Broken before the lab starts: what other tests have found to hold is kept for other shaders.
@@ -78,6 +82,11 @@ TEST_F(DoubtfulDevice, TheWindowSaysSo) {
   s.depth.format = DepthFormat::d16;
   update(s, showing({View::final}));
   EXPECT_NE(banner().find("depth.format=d16"), std::string::npos) << banner();
+  copy_.restore("shaders/depth.glsl");
+  ui::Requests reload = showing({View::final});
+  reload.reload_shaders = true;
+  update(s, reload);
+  EXPECT_EQ(banner(), "") << "it was the shaders' fault, and they have been fixed";
 }
 
 }  // namespace

@@ -7,13 +7,12 @@
 
 #include "app/layers_exr.h"
 #include "app/picture_texts.h"
-#include "app/viewer.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/settings_json.h"
 #include "renderer/study/pitfalls/catalogue.h"
 #include "renderer/study/study_here.h"
 #include "tests/app/deck.h"
-#include "tests/gl_fixture.h"
+#include "tests/app/viewer_fixture.h"
 #include "tests/gltf/gltf_fixture.h"
 #include "tests/shader_copy.h"
 #include "tests/test_support.h"
@@ -81,11 +80,6 @@ class LongRun {
  private:
   static constexpr size_t kPresetsThatFillTheCache = 8;
   static constexpr View kShownAtRest[] = {View::final, View::normal, View::lights_per_pixel, View::error};
-  static ui::Requests showing(std::initializer_list<View> shown) {
-    ui::Requests r;
-    for (const View v : shown) r.visible[static_cast<size_t>(v)] = true;
-    return r;
-  }
   static ui::Requests at_rest() {
     ui::Requests r;
     for (const View v : kShownAtRest) r.visible[static_cast<size_t>(v)] = true;

@@ -110,6 +110,7 @@ TEST_F(Portability, SnormReadback) {
     glColorMask(true, true, true, true);
     glDisable(GL_SCISSOR_TEST);
     glClearBufferfv(GL_COLOR, 0, minus_half);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);  // the default; a test before this one may have read otherwise
     glReadPixels(1, 1, 1, 1, GL_RED, GL_FLOAT, &cut);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
     glReadPixels(1, 1, 1, 1, GL_RED, GL_FLOAT, &whole);
