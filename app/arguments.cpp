@@ -32,6 +32,11 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<Va
 constexpr double kAnyInt = std::numeric_limits<int>::max();
 constexpr double kAnyNumber = std::numeric_limits<double>::max();
 
+void add_run_layouts(CLI::App& app, Arguments& a) {
+  app.add_flag("--run-layouts", a.run_layouts,
+               "run the layout files that a state, study, figure or lesson names: text for the GPU, else refused");
+}
+
 // What is drawn: for the commands that draw.
 void add_settings(CLI::App& app, Arguments& a) {
   app.add_option("--scene", a.scene, "builtin:NAME or a model's file; brings its own camera and lights");
@@ -46,6 +51,7 @@ void add_settings(CLI::App& app, Arguments& a) {
   app.add_option("--camera", a.camera, "x,y,z:yaw,pitch[:fov] in world units and degrees");
   app.add_option("--rig", a.rig, "lights from a rig's JSON file");
   app.add_option("--layout-file", a.layout_file, "a layout of your own: one GLSL file, see docs/layout-files.md");
+  add_run_layouts(app, a);
   add_number(app, "--time", a.time, "seconds: lights move as functions of it", -kAnyNumber, kAnyNumber);
 }
 
@@ -128,6 +134,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("--size", a.size, "WxH of the pictures that are judged (default: 320x180)");
     app.add_option("-o,--output", a.output, "folder for a page and a picture each, made if need be (default: none)");
   }
+  if (command == "figures" || command == "handout") add_run_layouts(app, a);
   if (command == "figures") {
     app.add_option("set", a.what,
                    "a set of figures, a spec's JSON file, or a picture made of one; without: what there is");
@@ -220,7 +227,7 @@ void refuse_empty_values(const CLI::App& app) {
 
 }  // namespace
 
-Arguments parse_arguments(int argc, const char* const* argv) {
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
   Arguments a;
   CLI::App app("G-Buffer Lab: see every buffer of a deferred renderer, and what each choice costs.", "gbufferlab");
   app.set_version_flag("--version", "gbufferlab " GBL_VERSION);
@@ -228,12 +235,9 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   describe(app, a);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& e) {
-    std::exit(app.exit(e));
-  } catch (const CLI::CallForAllHelp& e) {
-    std::exit(app.exit(e));
-  } catch (const CLI::CallForVersion& e) {
-    std::exit(app.exit(e));
+  } catch (const CLI::Success& e) {
+    app.exit(e);
+    return {};
   } catch (const CLI::ParseError& e) {
     const std::string help = unknown_argument(app, e.what());
     throw Error(ExitCode::bad_input, "command line", e.what(), help.empty() ? "see --help" : help);

@@ -100,7 +100,7 @@ ExitCode run_against(const Arguments& a) {
     throw Error(ExitCode::bad_input, "--frames", "0 frames give no ratio", "give 1 or more, or leave it out");
   const auto [first, scene] = setup_of(a);
   Settings second = first;
-  for (const std::string& assignment : a.against) apply_assignment(second, assignment);
+  for (const std::string& assignment : a.against) apply_typed(second, assignment);
   const HeadlessContext context;
   Lab lab(without_of(a));
   if (scene) lab.show(first.scene, scene);

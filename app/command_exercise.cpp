@@ -10,6 +10,7 @@
 #include "app/truth_drawing.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 #include "renderer/exercises/task_text.h"
 #include "renderer/options/settings_json.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CheckWishes wishes_of(const Arguments& a) { return {a.limit_s.value_or(kAnswerLimitS), a.without}; }
+CheckWishes wishes_of(const Arguments& a) { return {a.limit_s.value_or(kAnswerSeconds), a.without}; }
 
 ExitCode list_exercises(const Arguments& a) {
   Json all = Json::array();

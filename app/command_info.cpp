@@ -8,6 +8,7 @@
 #include "app/driver_report.h"
 #include "app/headless.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 #include "renderer/gl/device.h"
 #include "renderer/gltf/scene_gltf.h"
 #include "renderer/options/settings_json.h"
@@ -15,6 +16,17 @@
 
 namespace gbl {
 namespace {
+
+Json to_json(std::span<const Limit> limits) {
+  Json out = Json::array();
+  for (const Limit& l : limits) out.push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
+  return out;
+}
+
+void print_limits(const char* of, std::span<const Limit> limits) {
+  fmt::print("\n{} may ask for at most\n", of);
+  for (const Limit& l : limits) fmt::print("  {:>14}  {}\n", l.value, l.what);
+}
 
 Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSet switched_off) {
   Json j;
@@ -46,9 +58,8 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
                                   {"unit", c.unit},
                                   {"said", c.holds() ? "" : c.said()}});
   }
-  j["gltf_limits"] = Json::array();
-  for (const GltfLimit& l : gltf_limits())
-    j["gltf_limits"].push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
+  j["file_limits"] = to_json(file_limits());
+  j["gltf_limits"] = to_json(gltf_limits());
   j["gltf_extensions"] = Json::array();
   for (const std::string_view e : gltf_extensions()) j["gltf_extensions"].push_back(e);
   j["features"] = Json::array();
@@ -94,8 +105,8 @@ ExitCode run_info(const Arguments& a) {
              j["format_checks"].size());
   for (const Json& c : j["format_checks"])
     if (!c["holds"].get<bool>()) fmt::print("  {}\n", c["said"].get<std::string>());
-  fmt::print("\nglTF files may ask for at most\n");
-  for (const GltfLimit& l : gltf_limits()) fmt::print("  {:>14}  {}\n", l.value, l.what);
+  print_limits("Files", file_limits());
+  print_limits("glTF files", gltf_limits());
   fmt::print("and require {}\n", fmt::join(gltf_extensions(), ", "));
   return ExitCode::done;
 }

@@ -9,6 +9,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/base/json_error.h"
+#include "renderer/gbuffer/layout_file.h"
 
 namespace gbl {
 namespace {
@@ -38,6 +39,7 @@ constexpr Command kCommands[] = {
 };
 
 ExitCode run(const Arguments& a) {
+  if (a.run_layouts) allow_every_layout_file();
   if (a.command.empty()) return display_present() ? run_view(a) : run_start_sheets(a);
   for (const Command& c : kCommands)
     if (a.command == c.name) return c.run(a);
@@ -81,7 +83,9 @@ int run_program(int argc, const char* const* argv) {
   for (const int end : {SIGINT, SIGTERM})
     std::signal(end, [](int) { std::_Exit(static_cast<int>(ExitCode::interrupted)); });
   try {
-    return static_cast<int>(run_and_print(parse_arguments(argc, argv)));
+    const std::optional<Arguments> a = parse_arguments(argc, argv);
+    if (!a) return flush_output(), static_cast<int>(ExitCode::done);
+    return static_cast<int>(run_and_print(*a));
   } catch (const Error& e) {
     return complain(e.what(), e.code());
   } catch (const std::bad_alloc&) {

@@ -32,6 +32,7 @@ struct Arguments {
   std::optional<unsigned> seed;
   std::optional<double> time;
   std::vector<std::string> set;
+  bool run_layouts = false;  // those that a state, a study, a figure or a lesson names
   std::string without;
   bool json = false, markdown = false;
 
@@ -68,8 +69,8 @@ struct Arguments {
   std::vector<std::filesystem::path> reports;   // of `info`: such files as a table
 };
 
-// Parses; prints help and exits as CLI11 does. Throws Error(bad_input).
-Arguments parse_arguments(int argc, const char* const* argv);
+// None: help or the version was asked for, and is printed. Throws Error(bad_input).
+std::optional<Arguments> parse_arguments(int argc, const char* const* argv);
 
 // defaults < preset < state < scene < camera, lights, rig, seed, size, time < set, whatever the order on the line.
 // The scene comes along when it had to be opened on the way, so that it is not read twice.
@@ -78,6 +79,7 @@ struct Setup {
   std::shared_ptr<const Scene> scene;  // of settings.scene, or null
 };
 Setup setup_of(const Arguments&, const LoadProgress* = nullptr);
+void apply_typed(Settings&, const std::string& assignment);  // "layout-file=mine.glsl": what is typed may run
 FeatureSet without_of(const Arguments&);
 
 // The same for a study, which has settings of its own: path by path what the line gives, and apart what its state says.

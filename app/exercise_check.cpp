@@ -11,13 +11,13 @@
 #include "app/headless.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 #include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr size_t kMostBytes = 1 << 20;
 constexpr std::string_view kStandardInput = "standard input";
 
 // What comes by standard input as a file, for as long as this lives.
@@ -83,7 +83,7 @@ ExerciseVerdict check_file(const Exercise& e, const std::string& file, const std
 
 Answer read_answer(const Exercise& e, const std::string& file) {
   if (e.answer == AnswerKind::settings && is_picture(file)) return answer_of_state(e, read_state(file), file);
-  return parse_answer(e, read_text_file(file, kMostBytes), file);
+  return parse_answer(e, read_text_file(file, kMostShaderBytes), file);
 }
 
 ExerciseVerdict check_here(const Exercise& e, const std::string& file, const CheckWishes& wishes) {

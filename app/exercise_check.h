@@ -3,14 +3,13 @@
 #include <filesystem>
 #include <string>
 
+#include "renderer/base/limits.h"
 #include "renderer/exercises/judge_answer.h"
 
 namespace gbl {
 
-inline constexpr double kAnswerLimitS = 60;
-
 struct CheckWishes {
-  double limit_s = kAnswerLimitS;
+  double limit_s = kAnswerSeconds;
   std::string without = {};  // features, as --without has them
 };
 

@@ -73,8 +73,10 @@ FileOpening rig(const std::string& file) {
 }
 
 FileOpening state(const std::string& file, const DeviceLimits& limits) {
-  Settings s = read_state(file);
-  require_valid(s, limits);
+  const Settings s = read_state(file);
+  Settings without_file = s;
+  without_file.layout_file.clear();
+  require_valid(without_file, limits);
   if (!s.lights.rig.empty()) rig_lights(s.lights.rig);
   std::string said = fmt::format("{}: its settings are shown", file);
   if (!s.layout_file.empty())
@@ -83,10 +85,9 @@ FileOpening state(const std::string& file, const DeviceLimits& limits) {
   return {.file = file,
           .scene = s.scene,
           .settings =
-              [s](const Settings& now, const Scene&) {
-                Settings out = s;
+              [s, without_file](const Settings& now, const Scene&) {
+                Settings out = s.layout_file == now.layout_file ? s : without_file;  // a file runs nothing unasked
                 out.size = now.size;
-                if (out.layout_file != now.layout_file) out.layout_file.clear();  // a file runs nothing unasked
                 return out;
               },
           .whole = true,

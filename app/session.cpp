@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/json.h"
+#include "renderer/gbuffer/layout_file.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/data_file.h"
 #include "renderer/options/settings_json.h"
@@ -38,7 +39,9 @@ ui::Snapshot read_snapshot(const Json& json, const std::string& where) {
   only_members(json, {"large", "settings"}, where);
   if (!json.contains("settings")) refuse(where, "\"settings\" are missing");
   if (!json.contains("large") || !json["large"].is_boolean()) refuse(where, "\"large\" is not true or false");
-  return {from_json(json["settings"], where), json["large"].get<bool>()};
+  Settings settings = from_json(json["settings"], where);
+  if (!settings.layout_file.empty()) allow_layout_file(settings.layout_file);  // this program wrote it: it ran before
+  return {std::move(settings), json["large"].get<bool>()};
 }
 
 ui::Bookmarks read_bookmarks(const Json& json, const std::string& where) {

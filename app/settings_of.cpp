@@ -24,6 +24,11 @@ void apply_size(Settings& s, const std::string& text) {
 
 }  // namespace
 
+void apply_typed(Settings& s, const std::string& assignment) {
+  apply_assignment(s, assignment);
+  if (assignment.starts_with("layout-file=")) allow_layout_file(s.layout_file);
+}
+
 Setup setup_of(const Arguments& a, const LoadProgress* progress) {
   Setup setup{preset(a.preset.value_or("start")).make(), nullptr};
   Settings& s = setup.settings;
@@ -48,7 +53,7 @@ Setup setup_of(const Arguments& a, const LoadProgress* progress) {
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time");
   // A file's exposure is metered from its own camera with its own lights: with others it is metered anew.
   if (setup.scene && is_file(s.scene) && !a.state && (a.camera || a.lights || a.rig)) meter(s, *setup.scene);
-  for (const std::string& assignment : a.set) apply_assignment(s, assignment);
+  for (const std::string& assignment : a.set) apply_typed(s, assignment);
   if (s.scene != a.scene) setup.scene.reset();
   return setup;
 }
@@ -80,7 +85,7 @@ Given given_of(const Arguments& a) {
   if (a.size) given.explicitly.push_back({"size", *a.size});
   if (a.time) apply_patch(s, {{"time_s", *a.time}}, "--time"), give("time_s");
   for (const std::string& assignment : a.set) {
-    apply_assignment(s, assignment);
+    apply_typed(s, assignment);
     give(assignment.substr(0, assignment.find('=')).c_str());
   }
   return given;

@@ -13,6 +13,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "renderer/base/limits.h"
+
 namespace gbl {
 namespace {
 
@@ -119,14 +121,13 @@ namespace {
 
 // To open a pipe waits for a writer: this waits for a while, and no longer.
 File opened_to_read(const fs::path& path) {
-  constexpr int kPatienceMs = 3000;
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"));
   if (!file)
     throw Error(ExitCode::bad_input, path.string(), fmt::format("cannot be read: {}", std::strerror(errno)),
                 "check the path");
   pollfd waiting{descriptor, POLLIN, 0};
-  if (::poll(&waiting, 1, kPatienceMs) == 0)
+  if (::poll(&waiting, 1, kPipeWaitMs) == 0)
     throw Error(ExitCode::bad_input, path.string(), "is a pipe into which nobody writes", "give a file");
   ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   return file;

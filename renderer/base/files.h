@@ -6,6 +6,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
+#include "renderer/base/limits.h"
 
 namespace gbl {
 
@@ -14,9 +15,6 @@ class CannotWrite : public Error {
  public:
   CannotWrite(const std::filesystem::path&, std::string_view why);
 };
-
-// The largest text file that is read; those that this program writes are far smaller.
-inline constexpr size_t kMostTextBytes = size_t(256) << 20;
 
 // Error(bad_input): cannot be read, is empty, is longer than `most` (a device such as /dev/zero never ends), or is a pipe into
 // which nobody writes.

@@ -7,6 +7,7 @@
 
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/resources.h"
 #include "renderer/figures/drawings.h"
 #include "renderer/figures/figure_json.h"
@@ -23,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 constexpr int kFigureVersion = 1;
 constexpr std::string_view kFolder = "assets/figures/";
-constexpr int kMostSide = 4096, kMostFrames = 1000;
 
 std::vector<Assignment> patch_member(const Json& node, std::string_view where) {
   if (!node.contains("set")) return {};
@@ -137,7 +137,7 @@ std::vector<FigurePanel> panels_member(const Json& given, const FigureRecipe& of
 FigureFrames frames_member(const Json& node, const std::string& where) {
   only_members(node, {"count", "per-second", "keys"}, where);
   FigureFrames f;
-  f.count = whole_member(node, "count", f.count, 2, kMostFrames, where);
+  f.count = whole_member(node, "count", f.count, 2, kMostFigureFrames, where);
   f.per_second = number_member(node, "per-second", f.per_second, 0.1, 100, where);
   if (!node.contains("keys") || !node["keys"].is_array() || node["keys"].size() < 2)
     throw Error(ExitCode::bad_input, where, "\"keys\" must be an array of at least two patches");
@@ -160,11 +160,11 @@ glm::ivec2 size_member(const Json& node, const char* member, glm::ivec2 otherwis
   if (!node.contains(member)) return otherwise;
   const Json& value = node[member];
   const auto side = [](const Json& n) {
-    return n.is_number_integer() && n.get<long long>() >= 1 && n.get<long long>() <= kMostSide;
+    return n.is_number_integer() && n.get<long long>() >= 1 && n.get<long long>() <= kMostFigureSide;
   };
   if (!value.is_array() || value.size() != 2 || !side(value[0]) || !side(value[1]))
     throw Error(ExitCode::bad_input, where,
-                fmt::format("\"{}\" is {}, not two whole numbers from 1 to {}", member, value.dump(), kMostSide));
+                fmt::format("\"{}\" is {}, not two whole numbers from 1 to {}", member, value.dump(), kMostFigureSide));
   return {value[0].get<int>(), value[1].get<int>()};
 }
 

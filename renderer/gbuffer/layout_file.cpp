@@ -1,12 +1,15 @@
 #include "renderer/gbuffer/layout_file.h"
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/resources.h"
 #include "renderer/base/sha256.h"
 #include "renderer/gbuffer/layout_header.h"
@@ -15,7 +18,6 @@ namespace gbl {
 namespace {
 
 constexpr size_t kHashDigits = 16;
-constexpr size_t kMostBytes = 1 << 20;
 
 // As settings name it, and with all that its row points to.
 struct ReadLayout {
@@ -25,7 +27,7 @@ struct ReadLayout {
 };
 
 std::string hash_of(std::string_view text) { return sha256(text).substr(0, kHashDigits); }
-std::string read_layout(const std::string& path) { return read_text_file(path, kMostBytes); }
+std::string read_layout(const std::string& path) { return read_text_file(path, kMostShaderBytes); }
 
 std::string file_name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
@@ -62,9 +64,58 @@ const ReadLayout& layout_named(const std::string& name) {
   return *kept;
 }
 
+// The paths that somebody asked for.
+class Allowed {
+ public:
+  void add(std::string_view path) {
+    const std::lock_guard lock(mutex_);
+    paths_.insert(place_of(path));
+  }
+  void add_all() {
+    const std::lock_guard lock(mutex_);
+    all_ = true;
+  }
+  bool has(std::string_view path) {
+    const std::lock_guard lock(mutex_);
+    return all_ || paths_.contains(place_of(path));
+  }
+
+ private:
+  // A session writes the whole path of what was typed as a short one.
+  static std::filesystem::path place_of(std::string_view path) {
+    std::error_code none;
+    return std::filesystem::absolute(path, none).lexically_normal();
+  }
+
+  std::mutex mutex_;
+  bool all_ = false;
+  std::set<std::filesystem::path> paths_;
+};
+
+Allowed& allowed() {
+  static Allowed g_allowed;
+  return g_allowed;
+}
+
+const ReadLayout& asked_for(const std::string& name) {
+  const std::string path(path_of_layout_file(name));
+  if (!allowed().has(path))
+    throw Error(ExitCode::bad_input, path, "is shader text, named by a file and asked for by nobody: it is not run",
+                fmt::format("look at it, then give --layout-file {}, or --run-layouts for all", path));
+  return layout_named(name);
+}
+
 }  // namespace
 
+void allow_every_layout_file() { allowed().add_all(); }
+void allow_layout_file(std::string_view path_or_name) { allowed().add(path_of_layout_file(path_or_name)); }
+
 std::string name_layout_file(const std::string& path) {
+  allow_layout_file(path);
+  return name_unasked_layout_file(path);
+}
+
+std::string name_unasked_layout_file(const std::string& path) {
   const std::string text = read_layout(path);
   std::string name = fmt::format("{}@{}", path, hash_of(text));
   layout_named(name);  // what is wrong with it is said now
@@ -81,7 +132,7 @@ std::string_view path_of_layout_file(std::string_view name) {
   return names_content(name) ? name.substr(0, name.rfind('@')) : name;
 }
 
-const LayoutRow& layout_of_file(const std::string& name) { return layout_named(name).row; }
-std::string shader_of_layout_file(const std::string& name) { return layout_named(name).shader; }
+const LayoutRow& layout_of_file(const std::string& name) { return asked_for(name).row; }
+std::string shader_of_layout_file(const std::string& name) { return asked_for(name).shader; }
 
 }  // namespace gbl

@@ -8,7 +8,7 @@ namespace {
 
 using namespace gltf;
 
-constexpr GltfLimit kLimits[] = {
+constexpr Limit kLimits[] = {
     {"gltf-file-bytes", kMaxFileBytes, "bytes of one file"},
     {"gltf-all-file-bytes", kMaxAllFileBytes, "bytes of a model's files together"},
     {"gltf-json-depth", kMaxJsonDepth, "nesting of objects and lists in the JSON text"},
@@ -29,6 +29,6 @@ constexpr GltfLimit kLimits[] = {
 
 }  // namespace
 
-std::span<const GltfLimit> gltf_limits() { return kLimits; }
+std::span<const Limit> gltf_limits() { return kLimits; }
 
 }  // namespace gbl

@@ -15,6 +15,7 @@
 #include <span>
 #include <string_view>
 
+#include "renderer/base/limits.h"
 #include "renderer/scene/scene.h"
 
 namespace gbl {
@@ -30,12 +31,7 @@ Scene load_gltf(const std::filesystem::path&, const LoadProgress* = nullptr);
 // From bytes of either kind; no other file is read. name: for messages and as the scene's name.
 Scene load_gltf_from_memory(std::span<const uint8_t> bytes, std::string_view name, const LoadProgress* = nullptr);
 
-struct GltfLimit {
-  std::string_view id;
-  uint64_t value;
-  std::string_view what;
-};
-std::span<const GltfLimit> gltf_limits();               // what a file may ask for
+std::span<const Limit> gltf_limits();                   // what a file may ask for
 std::span<const std::string_view> gltf_extensions();    // those a file may require
 inline constexpr double kGltfFarOfEndlessCamera = 1e4;  // far of a camera without one: at least this times near
 

@@ -51,7 +51,7 @@ const std::string& checked_text(const Option& o, const OptionValue& v) {
 // A path alone means the file as it is now; settings that were written name its content, too.
 std::string checked_layout_file(const Option& o, const OptionValue& v) {
   const std::string& name = checked_text(o, v);
-  return name.empty() || names_content(name) ? name : name_layout_file(name);
+  return name.empty() || names_content(name) ? name : name_unasked_layout_file(name);
 }
 
 template <class E>

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/limits.h"
 #include "renderer/gbuffer/gbuffer_axes.h"
 #include "renderer/gbuffer/layouts.h"
 #include "renderer/gbuffer/normal_encoding.h"
@@ -20,7 +21,6 @@
 namespace gbl {
 
 inline constexpr int kSettingsVersion = 1;
-inline constexpr int kMaxLights = 16384;
 
 // Blinn-Phong exponent: a number >= 0, or from the surface's roughness (2/roughness^4 - 2, in 1..8192).
 inline constexpr double kExponentFromRoughness = -1;

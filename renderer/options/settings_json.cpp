@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 
 namespace gbl {
 namespace {
@@ -55,12 +56,11 @@ Number number_of(const Json& json) {
 }
 
 // Far deeper than any settings or lesson: what walks a JSON tree recurses and must not run out of stack.
-constexpr int kMaxDepth = 64;
 
 Json::parser_callback_t no_deeper(std::string_view where) {
   return [where](int depth, Json::parse_event_t, const Json&) {
-    if (depth > kMaxDepth)
-      throw Error(ExitCode::bad_input, where, fmt::format("JSON nested more than {} deep", kMaxDepth));
+    if (depth > kMostJsonDepth)
+      throw Error(ExitCode::bad_input, where, fmt::format("JSON nested more than {} deep", kMostJsonDepth));
     return true;
   };
 }

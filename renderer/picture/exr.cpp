@@ -18,6 +18,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/limits.h"
 #include "renderer/picture/exr_header.h"
 
 namespace gbl {
@@ -82,20 +83,18 @@ static std::string read_start(const std::filesystem::path& path, size_t most) {
 }
 
 ExrPicture read_exr(const std::filesystem::path& path) {
-  constexpr size_t kMostHeader = size_t(16) << 20;  // bytes: a preview may be in it
-  constexpr int kMostAcross = 16384;                // pixels: as for a PNG
   const auto refuse = [&](const std::string& what) {
     return Error(ExitCode::bad_input, path.string(), what, "give an OpenEXR file with channels R, G and B");
   };
   try {
-    require_sound_exr_header(read_start(path, kMostHeader), std::filesystem::file_size(path), path.string());
+    require_sound_exr_header(read_start(path, kMostExrHeaderBytes), std::filesystem::file_size(path), path.string());
     // The library takes memory for what a header claims before it can be asked how much that is.
-    Imf::Header::setMaxImageSize(kMostAcross, kMostAcross);
-    Imf::Header::setMaxTileSize(kMostAcross, kMostAcross);
+    Imf::Header::setMaxImageSize(kMostPictureSide, kMostPictureSide);
+    Imf::Header::setMaxTileSize(kMostPictureSide, kMostPictureSide);
     Imf::InputFile file(path.c_str());
     const Imath::Box2i window = file.header().dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1, height = int64_t(window.max.y) - window.min.y + 1;
-    if (width < 1 || height < 1 || width > kMostAcross || height > kMostAcross)
+    if (width < 1 || height < 1 || width > kMostPictureSide || height > kMostPictureSide)
       throw refuse(fmt::format("is {} x {} pixels large", width, height));
     const auto pixels = static_cast<size_t>(width * height);
     require_plausible(path, pixels * sizeof(glm::vec3), 1 << 14);  // what is flat is packed densely

@@ -11,6 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/limits.h"
 #include "renderer/picture/palette.h"
 
 namespace gbl {
@@ -86,8 +87,6 @@ void encode_png(std::FILE* file, const PngHead& head, Row row) {
   png_write_end(png, info);
 }
 
-constexpr png_uint_32 kMaxSide = 16384;  // pixels: the largest frame and texture
-
 // libpng takes memory for what a chunk claims before it reads it: none may claim more than is left of the file.
 void require_whole_chunks(std::FILE* file, const fs::path& path) {
   const long begin = std::ftell(file);
@@ -117,7 +116,7 @@ struct PngReader {
     info = png_create_info_struct(png);
     png_init_io(png, file.get());
     png_set_sig_bytes(png, 8);
-    png_set_user_limits(png, kMaxSide, kMaxSide);  // a 100-byte file can claim a picture of terabytes
+    png_set_user_limits(png, kMostPictureSide, kMostPictureSide);  // a 100-byte file can claim a picture of terabytes
   }
   ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
   File file;

@@ -7,6 +7,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/number.h"
 #include "renderer/options/presets.h"
 
@@ -14,7 +15,6 @@ namespace gbl {
 namespace {
 
 constexpr const char* kWhere = "--axes";
-constexpr size_t kMostAxes = 12;  // subsets of more are thousands
 
 struct AxisValues {
   std::string path;
@@ -62,9 +62,9 @@ std::vector<AxisValues> parse_axes(std::string_view text) {
   if (axes.empty())
     throw Error(ExitCode::bad_input, kWhere, "names no option",
                 "write names with commas, e.g. normal.encoding,depth.format");
-  if (axes.size() > kMostAxes)
+  if (axes.size() > kMostStudyAxes)
     throw Error(ExitCode::bad_input, kWhere, fmt::format("names {} options", axes.size()),
-                fmt::format("name at most {}", kMostAxes));
+                fmt::format("name at most {}", kMostStudyAxes));
   return axes;
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/size_text.h"
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/presets.h"
@@ -14,7 +15,6 @@ namespace gbl {
 namespace {
 
 constexpr glm::ivec2 kDefaultSize{640, 360};
-constexpr int kMostCameras = 1'000'000;
 
 [[noreturn]] void bad_value(std::string_view path, const OptionValue& v, std::string_view expected) {
   throw Error(ExitCode::bad_input, path, fmt::format("{} is not {}", written(v), expected));
@@ -60,8 +60,8 @@ void apply_lights(Settings& s, const OptionValue& v, SceneCache&) {
 
 OptionValue checked_seed(const OptionValue& v) {
   const auto* k = std::get_if<Number>(&v);
-  if (!k || !k->whole || k->value < 0 || k->value > kMostCameras)
-    bad_value("camera.seed", v, fmt::format("a whole number in 0 ... {}", kMostCameras));
+  if (!k || !k->whole || k->value < 0 || k->value > kMostStudyCameras)
+    bad_value("camera.seed", v, fmt::format("a whole number in 0 ... {}", kMostStudyCameras));
   return v;
 }
 void apply_seed(Settings& s, const OptionValue& v, SceneCache& scenes) {

@@ -6,6 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/json.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/resources.h"
 #include "renderer/options/data_file.h"
 #include "renderer/options/settings_json.h"
@@ -15,7 +16,6 @@ namespace gbl {
 namespace {
 
 constexpr int kStudyVersion = 1;
-constexpr size_t kMostCases = 100'000;
 constexpr std::string_view kFolder = "assets/studies/";
 
 std::string file_name(std::string_view id) { return data_file_name(kFolder, id); }
@@ -87,11 +87,12 @@ void check_size(const StudySpec& spec) {
   size_t total = 0;
   for (const std::vector<PathValues>& product : spec.permute) {
     size_t cases = 1;
-    for (const PathValues& axis : product) cases = std::min(cases * axis.values.size(), kMostCases + 1);  // no overflow
-    total = std::min(total + cases, kMostCases + 1);
+    for (const PathValues& axis : product)
+      cases = std::min(cases * axis.values.size(), kMostStudyCases + 1);  // no overflow
+    total = std::min(total + cases, kMostStudyCases + 1);
   }
-  if (total > kMostCases)
-    throw Error(ExitCode::bad_input, spec.where, fmt::format("permute has more than {} cases", kMostCases),
+  if (total > kMostStudyCases)
+    throw Error(ExitCode::bad_input, spec.where, fmt::format("permute has more than {} cases", kMostStudyCases),
                 "vary fewer paths at once: an array of smaller products is their union");
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 Arguments parsed(std::vector<const char*> words) {
   words.insert(words.begin(), "gbufferlab");
-  return parse_arguments(static_cast<int>(words.size()), words.data());
+  return parse_arguments(static_cast<int>(words.size()), words.data()).value();
 }
 
 std::string refused(const std::vector<const char*>& words) {

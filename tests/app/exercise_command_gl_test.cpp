@@ -149,7 +149,11 @@ TEST_F(LayoutFileOption, BytesAreReportedAndTheStateNamesTheContent) {
   const fs::path state = fs::path(out) / "settings.json";
   EXPECT_EQ(read_settings(state).layout_file, name_layout_file(mine));
 
-  const std::string again = fmt::format("render --state '{}' --only final -o '{}'", state.string(), out);
+  const std::string unasked = fmt::format("render --state '{}' --only final -o '{}'", state.string(), out);
+  const Ran refused = run(unasked);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.out, mine + ": is shader text, named by a file and asked for by nobody")) << refused.out;
+  const std::string again = unasked + " --run-layouts";
   EXPECT_EQ(run(again).exit_code, 0);
   file("mine.glsl", read_text_file(mine) + "// changed\n");
   const Ran changed = run(again);

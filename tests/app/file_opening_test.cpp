@@ -38,7 +38,7 @@ TEST_F(StateFiles, APictureGivesItsSettingsWhateverItIsCalled) {
   EXPECT_EQ(read_state(put("s.json", settings_text(s))), s);
   const std::string file = picture("a.png", {{kSettingsKey, settings_text(s)}});
   const char* const words[] = {"gbufferlab", "render", "--state", file.c_str()};
-  EXPECT_EQ(setup_of(parse_arguments(4, words)).settings, s);
+  EXPECT_EQ(setup_of(parse_arguments(4, words).value()).settings, s);
 }
 
 TEST_F(StateFiles, WhatIsWrongWithAPictureIsSaid) {

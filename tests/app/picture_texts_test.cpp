@@ -30,7 +30,7 @@ Settings drawn_by(const std::string& line) {
   const std::vector<std::string> words = words_of(line);
   std::vector<const char*> argv;
   for (const std::string& w : words) argv.push_back(w.c_str());
-  return setup_of(parse_arguments(static_cast<int>(argv.size()), argv.data())).settings;
+  return setup_of(parse_arguments(static_cast<int>(argv.size()), argv.data()).value()).settings;
 }
 
 TEST(PictureTexts, TheCommandLineGivesTheSettingsOfEveryPreset) {

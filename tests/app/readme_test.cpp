@@ -100,7 +100,7 @@ TEST(Documents, TheNewestChangeIsOfTheVersionThatTheProgramPrints) {
   EXPECT_EXIT(
       {
         dup2(STDERR_FILENO, STDOUT_FILENO);  // EXPECT_EXIT reads standard error only
-        parse_arguments(2, words);
+        std::exit(run_program(2, words));
       },
       testing::ExitedWithCode(0), "gbufferlab " + std::string(newest[1]));
 }

@@ -184,7 +184,7 @@ class StartOf : public Keeper {
   Start start(std::vector<const char*> words) {
     words.insert(words.begin(), {"gbufferlab", "view"});
     SessionKeeper keeper(file_);
-    Start s = start_of(parse_arguments(static_cast<int>(words.size()), words.data()), keeper);
+    Start s = start_of(parse_arguments(static_cast<int>(words.size()), words.data()).value(), keeper);
     trouble_ = keeper.take_trouble();
     return s;
   }

@@ -80,7 +80,13 @@ TEST(LayoutFile, ItsNameSaysItsContent) {
   const TemporaryFolder folder("layout-file");
   const std::string path = (folder.path() / "mine.glsl").string();
   write_text_file(path, kText);
+  const std::string unasked = name_unasked_layout_file(path);
+  const auto use = [&] { layout_of_file(unasked); };
+  EXPECT_TRUE(contains(error_line(ExitCode::bad_input, use), "asked for by nobody: it is not run"));
+  EXPECT_TRUE(contains(error_line(ExitCode::bad_input, [&] { shader_of_layout_file(unasked); }), "--layout-file"));
   const std::string name = name_layout_file(path);
+  EXPECT_EQ(name, unasked);
+  EXPECT_NO_THROW(use());
   EXPECT_TRUE(names_content(name));
   EXPECT_EQ(path_of_layout_file(name), path);
   EXPECT_STREQ(layout_of_file(name).axis.id, "mine.glsl");

@@ -237,7 +237,7 @@ TEST(GltfRefusal, ContainersAndText) {
 
 TEST(GltfRefusal, LimitsAreListed) {
   EXPECT_GE(gltf_limits().size(), 12u);
-  for (const GltfLimit& limit : gltf_limits()) EXPECT_GT(limit.value, 0u) << limit.id;
+  for (const Limit& limit : gltf_limits()) EXPECT_GT(limit.value, 0u) << limit.id;
   GltfFile file = triangle_file();
   for (int i = 0; i < 20001; ++i) file.add("materials", json::object());
   EXPECT_NE(refusal(file).find("20001 materials, at most 20000 are read"), std::string::npos);

@@ -31,13 +31,18 @@ class LayoutFilesInStudies : public ::testing::Test {
     write_text_file(folder / name, fmt::format("// attachments: material RGBA8 {{ {} }}\n", holds));
     return (folder / name).string();
   }
+  std::string asked_for(const char* name, const char* holds) {
+    const std::string path = file(name, holds);
+    allow_layout_file(path);
+    return path;
+  }
   StudyPlan plan_of(const std::string& text) {
     return expand(parse_study(text, "own.json"), empty_scene, everything());
   }
 };
 
 TEST_F(LayoutFilesInStudies, MayBeWhatVaries) {
-  const std::string a = file("a.glsl", "rgb: albedo"), b = file("b.glsl", "rgb: albedo; a: roughness");
+  const std::string a = asked_for("a.glsl", "rgb: albedo"), b = asked_for("b.glsl", "rgb: albedo; a: roughness");
   const StudyPlan plan = plan_of(fmt::format(R"({{"version": 1, "name": "own", "base": {{"layout": "exact"}},
       "permute": {{"layout-file": ["{}", "{}"]}}}})",
                                              a, b));
@@ -47,11 +52,20 @@ TEST_F(LayoutFilesInStudies, MayBeWhatVaries) {
   EXPECT_NE(plan.cases[0].id, plan.cases[1].id);
 }
 
+TEST_F(LayoutFilesInStudies, AreNotRunUnasked) {
+  const std::string mine = file("unasked.glsl", "rgb: albedo");
+  const std::string line = error_line(ExitCode::bad_input, [&] {
+    plan_of(fmt::format(R"({{"version": 1, "name": "own", "permute": {{"layout-file": ["{}"]}}}})", mine));
+  });
+  EXPECT_TRUE(contains(line, mine + ": is shader text, named by a file and asked for by nobody")) << line;
+  EXPECT_TRUE(contains(line, "--run-layouts")) << line;
+}
+
 TEST_F(LayoutFilesInStudies, GiveWayWhereTheLayoutVaries) {
   const StudySpec spec = parse_study(R"({"version": 1, "name": "own", "base": {"scene": "builtin:room"},
       "permute": [{"layout": ["exact", "compact"]}, {"normal.encoding": ["oct8", "oct16"]}]})",
                                      "own.json");
-  const std::string mine = file("mine.glsl", "rgb: albedo");
+  const std::string mine = asked_for("mine.glsl", "rgb: albedo");
   const StudyPlan plan = expand(with_given(spec, {}, {{"layout-file", mine}}), empty_scene, everything());
   ASSERT_EQ(plan.cases.size(), 4u);
   std::multiset<std::string> files;
