@@ -1,5 +1,5 @@
 #pragma once
-// A GL context without a window or an X server: EGL, surfaceless platform. Current while it lives.
+// A GL context without a window or an X server: EGL, surfaceless platform. Current while it lives; then the one before is again.
 #include <memory>
 
 namespace gbl {

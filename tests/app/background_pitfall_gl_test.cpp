@@ -18,7 +18,7 @@ class PitfallJob : public GlTest {
   const ui::PitfallInput& run(const std::string& id) {
     ui::Requests r;
     r.pitfall.id = id;
-    for (int i = 0; i < 60000; ++i) {
+    for (int i = 0; i < 600000; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));  // the reference is made on threads of its own
       job_->update(preset("start").make(), r, true);
       if (!job_->busy()) break;

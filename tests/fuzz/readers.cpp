@@ -8,6 +8,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "app/calibration.h"
+#include "app/commands.h"
+#include "app/driver_report.h"
 #include "app/session.h"
 #include "renderer/base/error.h"
 #include "renderer/base/json.h"
@@ -24,6 +27,7 @@
 #include "renderer/scenes/rig.h"
 #include "renderer/study/journal.h"
 #include "renderer/study/row_json.h"
+#include "renderer/study/stability/stability_journal.h"
 #include "renderer/study/study_spec.h"
 
 namespace gbl::test {
@@ -257,6 +261,62 @@ std::vector<Seed> layout_seeds() {
                "g: occlusion }\n")};
 }
 
+// A word a line. Help is left out: it fills the log.
+void read_command_line(std::string_view text) {
+  std::vector<std::string> words{"gbufferlab"};
+  for (size_t at = 0; at <= text.size();) {
+    const size_t end = std::min(text.find_first_of(std::string_view("\n\0", 2), at), text.size());
+    words.emplace_back(text.substr(at, end - at));
+    if (words.back() == "--help-all" || words.back() == "--help" || words.back() == "-h")
+      throw Error(ExitCode::bad_input, "fuzz", "asks for help");
+    at = end + 1;
+  }
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  if (const auto a = parse_arguments(static_cast<int>(pointers.size()), pointers.data())) given_of(*a);
+}
+std::vector<Seed> command_line_seeds() {
+  return {seed("render",
+               "render\n--scene\nbuiltin:room\n--size\n64x36\n--set\nlights.cull=none\n--only\nfinal,depth\n-o\nx"),
+          seed("study", "study\ntradeoff\n--budget\n1h30m\n--shard\n1/2\n--axes\nlayout,depth.format\n--json"),
+          seed("camera", "view\n--camera\n1,2,3:45,-10:60\n--seed\n7\n--time=0.5\n--lights=16\n--preset\ncompact"),
+          seed("exercise", "exercise\npack-smaller\n--check\n-\n--limit\n2.5\n--without\ncompute")};
+}
+
+void read_calibration(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  std::string trouble;
+  const WorkWeights weights = weights_for(file.path(), {}, trouble);
+  for (const WorkRow& r : kWork) demand(std::isfinite(weights.units[r.work]), "a weight is finite");
+  if (!trouble.empty()) throw Error(ExitCode::bad_input, "fuzz", trouble);
+}
+std::vector<Seed> calibration_seeds() {
+  return {written("calibration.json", [](auto& path) { keep_calibration(path, {}, llvmpipe_weights()); })};
+}
+
+void read_driver_report(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  driver_table({file.path(), file.path()});
+}
+std::vector<Seed> driver_report_seeds() {
+  const Json report{
+      {"gl", "4.5"},
+      {"device", "d"},
+      {"self_test",
+       {{{"id", "a"}, {"hash", "1"}, {"flip_mean", 0.1}, {"holds", true}}, {{"id", "b"}, {"skipped", "no compute"}}}},
+      {"format_checks", {{{"id", "oct8"}, {"holds", true}}}}};
+  return {seed("report.json", report.dump(1))};
+}
+
+void read_sweep_points(std::string_view text) {
+  for (const StudyRow& row : parse_journal(text, "fuzz").rows) point_of(row);
+}
+std::vector<Seed> sweep_point_seeds() {
+  SweepRow point;
+  point.x = 0.5, point.value = 3;
+  return {seed("points.jsonl", journal_line(journal_row("near-plane/depth d24/0.5/", point, {}, "made by a test")))};
+}
+
 constexpr Reader kReaders[] = {
     {"gltf", read_gltf, seeds},
     {"png", read_png_file, png_seeds},
@@ -273,6 +333,10 @@ constexpr Reader kReaders[] = {
     {"journal", read_journal, journal_seeds},
     {"session", read_session, session_seeds},
     {"layout", read_layout, layout_seeds},
+    {"command-line", read_command_line, command_line_seeds},
+    {"calibration", read_calibration, calibration_seeds},
+    {"driver-report", read_driver_report, driver_report_seeds},
+    {"sweep-points", read_sweep_points, sweep_point_seeds},
 };
 
 }  // namespace
