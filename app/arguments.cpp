@@ -57,6 +57,7 @@ void add_settings(CLI::App& app, Arguments& a) {
 
 void add_without(CLI::App& app, Arguments& a) {
   app.add_option("--without", a.without, "features to switch off, comma-separated (info lists them)");
+  app.add_option("--gl", a.gl, "core: OpenGL 3.3 (default); es3: OpenGL ES 3.0, what a browser has")->type_name("API");
 }
 
 void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {

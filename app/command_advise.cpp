@@ -132,7 +132,7 @@ ExitCode run_advise(const Arguments& a) {
   const bool writes = a.apply || a.output;
   if (writes) make_folder(folder);  // before the work: one that cannot be written is known at once
   const auto [s, scene] = setup_of(a);
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.open(s.scene);

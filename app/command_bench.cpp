@@ -101,7 +101,7 @@ ExitCode run_against(const Arguments& a) {
   const auto [first, scene] = setup_of(a);
   Settings second = first;
   for (const std::string& assignment : a.against) apply_typed(second, assignment);
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(first.scene, scene);
   for (const Settings& s : {first, second}) require_valid(s, lab.limits());
@@ -149,7 +149,7 @@ Arguments with_pairs(Arguments a) {
 
 ExitCode run_micro(const Arguments& a) {
   const auto [s, scene] = setup_of(with_pairs(a));
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.open(s.scene);
@@ -178,7 +178,7 @@ ExitCode run_calibrate(const Arguments& a) {
     throw Error(ExitCode::unfinished, "--calibrate", "neither XDG_STATE_HOME nor HOME names a folder to keep it in",
                 "set XDG_STATE_HOME");
   const auto [s, scene] = setup_of(of_own_choice(a, "--calibrate"));
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.open(s.scene);
@@ -240,7 +240,7 @@ ExitCode run_growth(const Arguments& a) {
     run_gnuplot("set terminal svg\nplot 1\n");
   }
   const auto [s, scene] = setup_of(a);
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.open(s.scene);
@@ -296,7 +296,7 @@ ExitCode run_bench(const Arguments& a) {
   if (a.micro) return run_micro(a);
   if (!a.against.empty()) return run_against(a);
   const auto [s, scene] = setup_of(a);
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   require_valid(s, lab.limits());

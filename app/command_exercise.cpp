@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CheckWishes wishes_of(const Arguments& a) { return {a.limit_s.value_or(kAnswerSeconds), a.without}; }
+CheckWishes wishes_of(const Arguments& a) { return {a.limit_s.value_or(kAnswerSeconds), a.without, api_of(a)}; }
 
 ExitCode list_exercises(const Arguments& a) {
   Json all = Json::array();
@@ -34,7 +34,7 @@ ExitCode list_exercises(const Arguments& a) {
 }
 
 void write_pictures(const fs::path& folder, const Arguments& a, const Settings& s) {
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   require_valid(s, lab.limits());
   lab.draw(s);

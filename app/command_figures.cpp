@@ -117,7 +117,7 @@ ExitCode run_figures(const Arguments& a) {
                               .pictures_only = a.pictures_only,
                               .without = a.without,
                               .interrupted = &scope.interrupted()};
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   FigureMaker maker(lab, options.look);
   for (const FigureSpec& f : figures) maker.check(f);  // before anything is written

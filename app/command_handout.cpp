@@ -70,7 +70,7 @@ ExitCode run_handout(const Arguments& a) {
     write_text_file(path, lecture_script(lesson, a.what));
     return say_written(a, lesson, {path});
   }
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   FigureMaker maker(lab, {.light = true});
   const FigureSet set = figures_of(lesson);

@@ -17,6 +17,8 @@
 namespace gbl {
 namespace {
 
+bool never_in_es(Feature f) { return f == Feature::compute || f == Feature::tessellation; }
+
 Json to_json(std::span<const Limit> limits) {
   Json out = Json::array();
   for (const Limit& l : limits) out.push_back({{"id", l.id}, {"value", l.value}, {"what", l.what}});
@@ -65,7 +67,10 @@ Json info_json(const gl::Device& d, const gl::RoundingProbe& rounding, FeatureSe
   j["features"] = Json::array();
   for (const FeatureRow& f : kFeatures) {
     const bool there = d.features.has(f.feature);
-    const char* reason = there ? "" : switched_off.has(f.feature) ? "switched off by --without" : "the driver lacks it";
+    const char* reason = there                                             ? ""
+                         : switched_off.has(f.feature)                     ? "switched off by --without"
+                         : d.api == gl::Api::es3 && never_in_es(f.feature) ? "OpenGL ES 3.0 has none"
+                                                                           : "the driver lacks it";
     j["features"].push_back({{"id", f.id}, {"available", there}, {"reason", reason}, {"used_for", f.used_for}});
   }
   return j;
@@ -78,7 +83,7 @@ ExitCode run_info(const Arguments& a) {
     fmt::print("{}", driver_table(a.reports));
     return ExitCode::done;
   }
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   const FeatureSet off = without_of(a);
   const gl::Device d = gl::probe_device(off);
   const gl::RoundingProbe rounding = gl::probe_rounding();

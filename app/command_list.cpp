@@ -262,7 +262,7 @@ struct Availability {
 };
 Availability availability(const Arguments& a) {
   try {
-    const HeadlessContext context;
+    const HeadlessContext context(api_of(a));
     return {gl::probe_device(without_of(a)).features, ""};
   } catch (const Error& e) {
     if (e.code() != ExitCode::no_gl) throw;

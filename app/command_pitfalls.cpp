@@ -67,7 +67,7 @@ ExitCode run_pitfalls(const Arguments& a) {
   }
   const glm::ivec2 size = a.size ? setup_of(a).settings.size : kSize;
   if (a.output) make_folder(*a.output);  // before the work: a folder that cannot be written is known at once
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Renderer renderer;
   PitfallBench bench(renderer, gl::probe_device(without_of(a)));
   Settings sized;

@@ -204,7 +204,7 @@ ExitCode run_probe(const Arguments& a) {
         ExitCode::bad_input, fmt::format("pixel {} {}", pixel.x, pixel.y),
         fmt::format("it lies outside the picture of {}", size_text(s.size)),
         fmt::format("choose 0 to {} and 0 to {}, from the top left; or another --size", s.size.x - 1, s.size.y - 1));
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   lab.draw(s);

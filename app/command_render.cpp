@@ -125,7 +125,7 @@ ExitCode run_render(const Arguments& a) {
   const Setup setup = setup_of(a);
   const Settings& s = setup.settings;
   const std::shared_ptr<const Scene>& scene = setup.scene;
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   if (scene) lab.show(s.scene, scene);
   if (scene)
@@ -199,7 +199,7 @@ Image three_culls(Lab& lab, Settings s) {
 ExitCode run_start_sheets(const Arguments& a) {
   Settings s = setup_of(a).settings;
   s.size = {800, 450};  // the first screen's large picture
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   const fs::path folder = "out";
   make_folder(folder);

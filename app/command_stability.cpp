@@ -146,7 +146,7 @@ ExitCode run_stability(const Arguments& a) {
   const Shard shard = a.shard ? parse_shard(*a.shard) : Shard{};
   const std::filesystem::path folder = a.output.value_or("out/stability");
   make_folder(folder);  // before the work: a folder that cannot be written is known at once
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   const gl::Device device = gl::probe_device(without_of(a));
   Renderer renderer;
   StabilityBench bench(renderer, device);

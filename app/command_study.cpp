@@ -170,7 +170,7 @@ ExitCode run_study_command(const Arguments& a) {
   const Shard shard = a.shard ? parse_shard(*a.shard) : Shard{};
   std::optional<double> budget_s;
   if (a.time_budget) budget_s = parse_duration(*a.time_budget, "--budget");
-  const HeadlessContext context;
+  const HeadlessContext context(api_of(a));
   Lab lab(without_of(a));
   const StudyPlan plan = expand(spec, scene_called, lab.limits());
   print_left_out(plan);

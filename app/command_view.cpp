@@ -309,8 +309,8 @@ class Loop {
 
 ExitCode run_view(const Arguments& a) {
   if (!display_present()) setup_of(a);  // what is wrong with the command line is said first
-  Window window(kWindowSize, "G-Buffer Lab");
-  ImguiScreen screen;
+  Window window(kWindowSize, "G-Buffer Lab", api_of(a));
+  ImguiScreen screen(api_of(a));
   SessionKeeper keeper(session_file());
   std::optional<Start> start = open_meanwhile(a, keeper, window, screen);
   if (!start) return ExitCode::done;  // closed before it was open

@@ -10,6 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/features.h"
+#include "renderer/gl/device.h"
 #include "renderer/options/options.h"
 #include "renderer/options/settings.h"
 #include "renderer/scene/scene.h"
@@ -34,6 +35,7 @@ struct Arguments {
   std::vector<std::string> set;
   bool run_layouts = false;  // those that a state, a study, a figure or a lesson names
   std::string without;
+  std::string gl = "core";  // or "es3"
   bool json = false, markdown = false;
 
   std::optional<std::filesystem::path> output;  // -o DIR
@@ -81,6 +83,7 @@ struct Setup {
 Setup setup_of(const Arguments&, const LoadProgress* = nullptr);
 void apply_typed(Settings&, const std::string& assignment);  // "layout-file=mine.glsl": what is typed may run
 FeatureSet without_of(const Arguments&);
+gl::Api api_of(const Arguments&);
 
 // The same for a study, which has settings of its own: path by path what the line gives, and apart what its state says.
 struct Given {

@@ -67,6 +67,7 @@ ExerciseVerdict check_file(const Exercise& e, const std::string& file, const std
   if (!needs_gl(e)) return check_here(e, file, wishes);
   std::vector<std::string> words = {"exercise", e.id, "--check", file, "--json", "--here"};
   if (!wishes.without.empty()) words.insert(words.end(), {"--without", wishes.without});
+  if (wishes.api == gl::Api::es3) words.insert(words.end(), {"--gl", "es3"});
   const ChildResult child = run_child(words, wishes.limit_s);
   if (child.timed_out)
     return not_ended(fmt::format("did not end within {:g} s", wishes.limit_s),
@@ -89,7 +90,7 @@ Answer read_answer(const Exercise& e, const std::string& file) {
 ExerciseVerdict check_here(const Exercise& e, const std::string& file, const CheckWishes& wishes) {
   const Answer answer = read_answer(e, file);
   if (!needs_gl(e)) return judge_answer(e, answer, {});
-  const HeadlessContext context;
+  const HeadlessContext context(wishes.api);
   return ExerciseBench(parse_features(wishes.without)).judge(e, answer);
 }
 

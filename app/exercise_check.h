@@ -5,12 +5,14 @@
 
 #include "renderer/base/limits.h"
 #include "renderer/exercises/judge_answer.h"
+#include "renderer/gl/device.h"
 
 namespace gbl {
 
 struct CheckWishes {
   double limit_s = kAnswerSeconds;
   std::string without = {};  // features, as --without has them
+  gl::Api api = gl::Api::core;
 };
 
 // "-": standard input. Error(bad_input): it is no answer; with file, line and column.

@@ -13,7 +13,22 @@
 namespace gbl {
 
 namespace {
-[[noreturn]] void no_gl(const char* step) {
+struct ApiRow {
+  EGLenum egl;
+  const char* label;
+  EGLint attributes[7];
+};
+constexpr ApiRow kApiRows[] = {
+    {EGL_OPENGL_API,
+     "OpenGL 3.3 core",
+     {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE}},
+    {EGL_OPENGL_ES_API,
+     "OpenGL ES 3.0",
+     {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE, EGL_NONE, EGL_NONE}},
+};
+
+[[noreturn]] void no_gl(const std::string& step) {
   throw Error(ExitCode::no_gl, "EGL", fmt::format("{} failed (0x{:x})", step, eglGetError()),
               "install a GL driver; Mesa's software driver is in libgl1-mesa-dri and libegl-mesa0");
 }
@@ -44,13 +59,11 @@ struct HeadlessContext::Handles {
   }
 };
 
-HeadlessContext::HeadlessContext() : handles_(std::make_unique<Handles>()) {
-  if (!eglBindAPI(EGL_OPENGL_API)) no_gl("choosing OpenGL");
-  const EGLint attributes[] = {
-      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-  handles_->context = eglCreateContext(handles_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-  if (handles_->context == EGL_NO_CONTEXT) no_gl("creating an OpenGL 3.3 core context");
+HeadlessContext::HeadlessContext(gl::Api api) : handles_(std::make_unique<Handles>()) {
+  const ApiRow& row = kApiRows[static_cast<size_t>(api)];
+  if (!eglBindAPI(row.egl)) no_gl(fmt::format("choosing {}", row.label));
+  handles_->context = eglCreateContext(handles_->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, row.attributes);
+  if (handles_->context == EGL_NO_CONTEXT) no_gl(fmt::format("creating a context of {}", row.label));
   make_current(handles_->display, handles_->context);
 }
 

@@ -2,11 +2,13 @@
 // A GL context without a window or an X server: EGL, surfaceless platform. Current while it lives; then the one before is again.
 #include <memory>
 
+#include "renderer/gl/device.h"
+
 namespace gbl {
 
 class HeadlessContext {
  public:
-  HeadlessContext();  // Error(no_gl) with what is missing
+  explicit HeadlessContext(gl::Api = gl::Api::core);  // Error(no_gl) with what is missing
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;
 

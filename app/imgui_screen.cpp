@@ -5,17 +5,18 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "renderer/gl/device.h"
 #include "renderer/gl/readback.h"
 #include "renderer/passes/targets.h"
 
 namespace gbl {
 
-ImguiScreen::ImguiScreen() {
+ImguiScreen::ImguiScreen(gl::Api api) : api_(api) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // the layout is ours; nothing is written to the working folder
   ui::Ui::set_up_style();
-  ImGui_ImplOpenGL3_Init("#version 330 core");
+  ImGui_ImplOpenGL3_Init(api_ == gl::Api::es3 ? "#version 300 es" : "#version 330 core");
 }
 
 ImguiScreen::~ImguiScreen() {
@@ -35,6 +36,9 @@ void ImguiScreen::draw(glm::ivec2 size, const std::function<void()>& panels) {
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  // As it is packaged, the backend also sets what GLES has not, as how polygons are filled.
+  if (api_ == gl::Api::es3)
+    for (int errors = 0; errors < 8 && glGetError() != GL_NO_ERROR;) ++errors;
 }
 
 Image ImguiScreen::picture(glm::ivec2 size, const std::function<void()>& panels) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <glm/glm.hpp>
 
+#include "renderer/gl/device.h"
 #include "renderer/picture/image.h"
 #include "ui/ui.h"
 
@@ -11,7 +12,7 @@ namespace gbl {
 // The ImGui context and its GL back-end. Needs a current GL context; one at a time.
 class ImguiScreen {
  public:
-  ImguiScreen();
+  explicit ImguiScreen(gl::Api = gl::device().api);
   ~ImguiScreen();
   ImguiScreen(const ImguiScreen&) = delete;
 
@@ -19,6 +20,9 @@ class ImguiScreen {
   void draw(glm::ivec2 size, const std::function<void()>& panels);
   // The same off screen, as a picture.
   Image picture(glm::ivec2 size, const std::function<void()>& panels);
+
+ private:
+  gl::Api api_;
 };
 
 }  // namespace gbl

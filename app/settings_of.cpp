@@ -93,4 +93,11 @@ Given given_of(const Arguments& a) {
 
 FeatureSet without_of(const Arguments& a) { return parse_features(a.without); }
 
+gl::Api api_of(const Arguments& a) {
+  if (a.gl == "core") return gl::Api::core;
+  if (a.gl == "es3") return gl::Api::es3;
+  throw Error(ExitCode::bad_input, "--gl", fmt::format("'{}' is no kind of OpenGL", a.gl),
+              "choose core (3.3) or es3 (GLES 3.0, what a browser has)");
+}
+
 }  // namespace gbl

@@ -73,25 +73,37 @@ void name_lost_displays() {
   if (void* found = dlsym(RTLD_DEFAULT, "XSetIOErrorHandler")) reinterpret_cast<SetHandler>(found)(display_lost);
 }
 
+void ask_for(gl::Api api) {
+  const bool es = api == gl::Api::es3;
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, es ? 0 : 3);
+  if (es) {
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
+    return;
+  }
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no core profile without it
+}
+
 }  // namespace
 
-Window::Window(glm::ivec2 size, const char* title) {
+Window::Window(glm::ivec2 size, const char* title, gl::Api api) {
   glfwSetErrorCallback([](int, const char* text) { g_last_error = text; });
   if (!glfwInit())
     throw Error(ExitCode::no_gl, "window", fmt::format("no display ({})", g_last_error),
                 "start it in a desktop session, or use `render`, which needs none");
   name_lost_displays();
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no core profile without it
+  ask_for(api);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full on a projector, it stays while the other screen is used
   window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
   if (!window_) {
     glfwTerminate();
-    throw Error(ExitCode::no_gl, "window", fmt::format("no window with OpenGL 3.3 ({})", g_last_error),
-                "install a GL driver; Mesa's software driver is in libgl1-mesa-dri");
+    throw Error(
+        ExitCode::no_gl, "window",
+        fmt::format("no window with {} ({})", api == gl::Api::es3 ? "OpenGL ES 3.0" : "OpenGL 3.3", g_last_error),
+        "install a GL driver; Mesa's software driver is in libgl1-mesa-dri");
   }
   fit_monitor();
   glfwSetWindowSizeLimits(window_, kLeast.x, kLeast.y, GLFW_DONT_CARE, GLFW_DONT_CARE);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/gl/device.h"
 #include "ui/ui.h"
 
 struct GLFWwindow;
@@ -13,7 +14,7 @@ namespace gbl {
 
 class Window {
  public:
-  Window(glm::ivec2 size, const char* title);  // Error(no_gl) without a display or a usable GL
+  Window(glm::ivec2 size, const char* title, gl::Api = gl::Api::core);  // Error(no_gl) without a display or a usable GL
   ~Window();
   Window(const Window&) = delete;
 

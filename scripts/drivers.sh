@@ -43,6 +43,7 @@ for feature in debug-labels timer-query depth-clamp clip-control compute tessell
   draw "llvmpipe-without-$feature" llvmpipe "${software[@]}" -- --without "$feature"
 done
 draw llvmpipe-gl-3.3 llvmpipe "${software[@]}" MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330
+draw llvmpipe-gles-3 llvmpipe "${software[@]}" -- --gl es3
 draw softpipe softpipe LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=softpipe
 lavapipe=$(find /usr/share/vulkan/icd.d -name 'lvp_icd*.json' 2>/dev/null | head -n 1 || true)
 if [[ -n $lavapipe ]]; then

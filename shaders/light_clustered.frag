@@ -5,23 +5,23 @@
 uniform ivec3 cuts;   // binary logarithm of a tile's side in pixels, columns, slices
 uniform vec2 slices;  // slice = log2(depth) * x + y
 
-uniform usamplerBuffer light_lists;  // see LightClusters::words(): a texel holds four
+uniform word_table light_lists;  // see LightClusters::words(): a texel holds four
 uniform ivec4 everywhere;            // the texel at which that list starts, how many plain lights come first, the same filled up, how long it is
 
 // The texel at which the list of a place starts, and how long it is. Depth is the distance along the view axis, whatever
 // the depth buffer holds.
 ivec2 list_of(vec3 position) {
   ivec2 tile = ivec2(gl_FragCoord.xy) >> cuts.x;
-  ivec3 clusters = ivec3(texelFetch(light_lists, tile.y * cuts.y + tile.x).xyz);  // first texel, slice, how many
+  ivec3 clusters = ivec3(table_at(light_lists, tile.y * cuts.y + tile.x).xyz);  // first texel, slice, how many
   float depth = max(dot(position, ray_forward.xyz), planes.x);
   int slice = int(clamp(log2(depth) * slices.x + slices.y, 0.0, float(cuts.z - 1)));
   int k = slice - clusters.y;
   bool listed = k >= 0 && k < clusters.z;
-  ivec2 list = ivec2(texelFetch(light_lists, clusters.x + (listed ? k : 0)).xy);
+  ivec2 list = ivec2(table_at(light_lists, clusters.x + (listed ? k : 0)).xy);
   return listed ? list : ivec2(0);
 }
 
-ivec4 listed_four(int texel, int i) { return ivec4(texelFetch(light_lists, texel + i / 4)); }
+ivec4 listed_four(int texel, int i) { return ivec4(table_at(light_lists, texel + i / 4)); }
 
 // ALL_LISTED_PLAIN: what is no plain light is everywhere.
 Light read_listed(int texel, int i) {

@@ -20,7 +20,7 @@ float beyond(float ndc, vec3 axis, vec3 point) {
 }
 
 bool may_reach_tile(int i) {
-  vec4 place = texelFetch(light_data, i * LIGHT_TEXELS);
+  vec4 place = table_at(light_data, i * LIGHT_TEXELS);
   if (endless(place.w, i)) return true;
   vec3 light = place.xyz;
   float range = place.w + 1e-5 * (place.w + length(light));  // positions and planes are in float

@@ -29,10 +29,10 @@ struct Light {
 #endif
 };
 
-uniform samplerBuffer light_data;    // LIGHT_TEXELS each: what every pair needs
-uniform samplerBuffer light_traits;  // LIGHT_TRAIT_TEXELS each: the rest
+uniform number_table light_data;    // LIGHT_TEXELS each: what every pair needs
+uniform number_table light_traits;  // LIGHT_TRAIT_TEXELS each: the rest
 
-vec4 light_trait(int i, int k) { return texelFetch(light_traits, i * LIGHT_TRAIT_TEXELS + k); }
+vec4 light_trait(int i, int k) { return table_at(light_traits, i * LIGHT_TRAIT_TEXELS + k); }
 
 // Has it no end, so that no proxy can hold it?
 bool endless(float range, int i) {
@@ -43,8 +43,8 @@ bool endless(float range, int i) {
 }
 
 #if LIGHTS_AT_ONCE == 4
-mat4 four_texels(samplerBuffer of, ivec4 i) {
-  return transpose(mat4(texelFetch(of, i.x), texelFetch(of, i.y), texelFetch(of, i.z), texelFetch(of, i.w)));
+mat4 four_texels(number_table of, ivec4 i) {
+  return transpose(mat4(table_at(of, i.x), table_at(of, i.y), table_at(of, i.z), table_at(of, i.w)));
 }
 
 // Of plain lights: the compiler drops whatever else there is to a light.
@@ -96,7 +96,7 @@ bool reaches(Light some, vec3 position) {
 
 // All lights in fours: to .x plain ones, from there to .y all that are not.
 #if MIXED_LIGHTS
-vec4 light_order(int k) { return texelFetch(light_traits, (lights.x + DARK_LIGHTS) * LIGHT_TRAIT_TEXELS + k); }
+vec4 light_order(int k) { return table_at(light_traits, (lights.x + DARK_LIGHTS) * LIGHT_TRAIT_TEXELS + k); }
 ivec2 light_fours() { return ivec2(light_order(0).xy); }
 Light read_plain_four(int k) { return read_plain_lights(ivec4(light_order(1 + k))); }
 Light read_four(int k) { return read_lights(ivec4(light_order(1 + k))); }
@@ -107,7 +107,7 @@ Light read_plain_four(int k) { return read_plain_lights(4 * k + ivec4(0, 1, 2, 3
 #else
 Light read_light(int i) {
   Light light;
-  vec4 place = texelFetch(light_data, i * LIGHT_TEXELS), colour = texelFetch(light_data, i * LIGHT_TEXELS + 1);
+  vec4 place = table_at(light_data, i * LIGHT_TEXELS), colour = table_at(light_data, i * LIGHT_TEXELS + 1);
   light.position = place.xyz;
   light.range = place.w;
   light.profile = colour.w;

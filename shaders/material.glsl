@@ -34,6 +34,16 @@ vec2 uv_of(int map) { return (uv_transform[map] * vec3(uv_set[map] == 0 ? uv0 : 
 vec2 uv_of(int map) { return uv0; }
 #endif
 
+// Without planes that clip, pixel by pixel.
+#if CLIP_PLANE && !SHADOW_MAP && !HAS_CLIP_DISTANCE
+uniform vec4 clip_plane;  // relative to the camera: what is behind it is cut away
+void cut_at_plane() {
+  if (dot(clip_plane, vec4(relative, 1.0)) < 0.0) discard;
+}
+#else
+void cut_at_plane() {}
+#endif
+
 // UVS_MOVED: for the reference, which knows where lines of sight end.
 #if PARALLAX || (UVS_MOVED && HEIGHTS)
 #include "parallax.glsl"
@@ -60,6 +70,7 @@ invariant gl_FragDepth;  // passes of other programs test for this very depth
 #endif
 // First of all: where the surface is.
 void place_surface() {
+  cut_at_plane();
   sink(relative, uv0, sunk_position, uv_moved);
 #if UVS_MOVED || PARALLAX_DEPTH == PARALLAX_DEPTH_FLAT
   sunk_position = relative;
@@ -73,7 +84,7 @@ void place_surface() {
 #else
 #define sunk_position relative
 vec4 read_map(sampler2D map, int which) { return texture(map, uv_of(which)); }
-void place_surface() {}
+void place_surface() { cut_at_plane(); }
 #endif
 
 // Texels of a material that has no such map: nobody reads one that is not there.

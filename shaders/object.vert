@@ -8,7 +8,7 @@ layout(location = 3) in vec2 uv0_in;
 layout(location = 4) in vec2 uv1_in;
 layout(location = 5) in vec4 colour_in;
 
-uniform samplerBuffer instance_data;
+uniform number_table instance_data;
 uniform int first_instance;
 #if SHADOW_MAP
 uniform mat4 shadow_clip_from_anchored;  // of the light's map; `relative` is then relative to the maps' anchor
@@ -26,17 +26,18 @@ flat out mat3 object_axes;
 #if TRIANGLE_IDS
 flat out uint triangle;  // of the mesh, from 0: its corners are drawn without sharing, in parts
 uniform int first_triangle;
-noperspective out vec2 corner;  // barycentric coordinates: of the second and the third corner
+out vec3 corner_by_w;  // barycentric coordinates of the second and the third corner, and 1, times w: then their ratios are
+                       // even on screen
 #endif
 // Passes of other programs test for this very depth.
 invariant gl_Position;
-#if CLIP_PLANE && !SHADOW_MAP
+#if CLIP_PLANE && !SHADOW_MAP && HAS_CLIP_DISTANCE
 uniform vec4 clip_plane;  // relative to the camera: what is behind it is cut away
 out float gl_ClipDistance[1];
 #endif
 
 vec4 instance_texel(int k) {
-  return texelFetch(instance_data, (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k);
+  return table_at(instance_data, (first_instance + gl_InstanceID) * INSTANCE_TEXELS + k);
 }
 
 void main() {
@@ -49,7 +50,7 @@ void main() {
 #if SHADOW_MAP
   gl_Position = shadow_clip_from_anchored * vec4(relative, 1.0);
 #endif
-#if CLIP_PLANE && !SHADOW_MAP
+#if CLIP_PLANE && !SHADOW_MAP && HAS_CLIP_DISTANCE
   gl_ClipDistance[0] = dot(clip_plane, vec4(relative, 1.0));
 #endif
 #if MISTAKE_NONUNIFORM_SCALE_NORMAL
@@ -66,6 +67,6 @@ void main() {
   object_axes = normals;
 #if TRIANGLE_IDS
   triangle = uint(first_triangle + gl_VertexID / 3);
-  corner = vec2(gl_VertexID % 3 == 1, gl_VertexID % 3 == 2);
+  corner_by_w = vec3(gl_VertexID % 3 == 1, gl_VertexID % 3 == 2, 1.0) * gl_Position.w;
 #endif
 }

@@ -4,7 +4,7 @@
 
 layout(location = 0) out vec4 result;
 #if REDRAWN == REDRAWN_TRIANGLES
-noperspective in vec2 corner;  // barycentric coordinates on screen: of the second and the third corner
+in vec3 corner_by_w;
 #endif
 
 void main() {
@@ -17,6 +17,7 @@ void main() {
 #elif REDRAWN == REDRAWN_CULLED
   result = vec4(0.0, 1.0, 0.0, 0.0);
 #else
+  vec2 corner = corner_by_w.xy / corner_by_w.z;  // barycentric coordinates on screen: of the second and the third corner
   vec2 dx = dFdx(corner), dy = dFdy(corner);
   vec3 weights = vec3(1.0 - corner.x - corner.y, corner);
   vec3 steps = vec3(length(vec2(dx.x + dx.y, dy.x + dy.y)), length(vec2(dx.x, dy.x)), length(vec2(dx.y, dy.y)));

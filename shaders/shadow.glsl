@@ -4,9 +4,9 @@
 
 #if SHADOWS
 uniform sampler2D shadow_depth;    // all maps side by side
-uniform samplerBuffer shadow_records;  // what each is: shared.h
+uniform number_table shadow_records;  // what each is: shared.h
 
-vec4 shadow_record(int k) { return texelFetch(shadow_records, k); }
+vec4 shadow_record(int k) { return table_at(shadow_records, k); }
 
 // 1 if the map's texel lets light through to this depth; beside the map its border counts.
 float shadow_test(ivec2 corner, ivec2 texel, float depth) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/gl/device.h"
 #include "renderer/gl/gl_error.h"
 #include "renderer/gl/texture.h"
 
@@ -32,6 +33,13 @@ VertexArray make_vertex_array(const Buffer& vertices, size_t stride, std::span<c
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   return v;
+}
+
+void draw_runs(std::span<const GLsizei> counts, std::span<const void* const> offsets) {
+  const auto runs = static_cast<GLsizei>(counts.size());
+  if (device().api == Api::core)
+    return glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(), runs);
+  for (size_t i = 0; i < counts.size(); ++i) glDrawElements(GL_TRIANGLES, counts[i], GL_UNSIGNED_INT, offsets[i]);
 }
 
 VertexArray make_empty_vertex_array() { return VertexArray::make(); }

@@ -21,6 +21,8 @@ struct VertexAttribute {
 };
 VertexArray make_vertex_array(const Buffer& vertices, size_t stride, std::span<const VertexAttribute>,
                               const Buffer* indices);
+// Several runs of one index buffer, bound with its vertex array: counts, and where each begins in bytes.
+void draw_runs(std::span<const GLsizei> counts, std::span<const void* const> offsets);
 VertexArray make_empty_vertex_array();  // for shaders that only read gl_VertexID
 
 // One uniform block, rewritten once a frame.

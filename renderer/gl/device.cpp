@@ -8,6 +8,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gl/pass_state.h"
 #include "renderer/gl/program.h"
+#include "renderer/gl/texel_buffer.h"
 #include "renderer/gl/texture.h"
 
 namespace gbl::gl {
@@ -26,7 +27,16 @@ bool is_software(const std::string& renderer) {
   return false;
 }
 
-FeatureSet present_features(int time_query_bits) {
+// Those of GLES that are extensions of the same calls.
+FeatureSet es_features() {
+  FeatureSet set;
+  if (epoxy_gl_version() >= 32 || epoxy_has_gl_extension("GL_KHR_debug")) set.add(Feature::debug_labels);
+  if (epoxy_has_gl_extension("GL_EXT_depth_clamp")) set.add(Feature::depth_clamp);
+  if (epoxy_has_gl_extension("GL_EXT_clip_control")) set.add(Feature::clip_control);
+  return set;
+}
+
+FeatureSet core_features(int time_query_bits) {
   const bool gl43 = epoxy_gl_version() >= 43, gl45 = epoxy_gl_version() >= 45;
   FeatureSet set;
   if (gl43 || epoxy_has_gl_extension("GL_KHR_debug")) set.add(Feature::debug_labels);
@@ -89,9 +99,14 @@ Device probe_device(FeatureSet without) {
   Device d;
   d.vendor = text(GL_VENDOR), d.renderer = text(GL_RENDERER), d.version = text(GL_VERSION);
   d.glsl = text(GL_SHADING_LANGUAGE_VERSION);
-  if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 33)
-    throw Error(ExitCode::no_gl, "OpenGL", fmt::format("'{}' is older than 3.3", d.version),
+  d.api = epoxy_is_desktop_gl() ? Api::core : Api::es3;
+  const bool es = d.api == Api::es3;
+  if (epoxy_gl_version() < (es ? 30 : 33))
+    throw Error(ExitCode::no_gl, "OpenGL", fmt::format("'{}' is older than {}", d.version, es ? "ES 3.0" : "3.3"),
                 "install a newer driver, or Mesa's software driver (libgl1-mesa-dri)");
+  if (es && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
+    throw Error(ExitCode::no_gl, "OpenGL ES", "this driver does not draw into floats (EXT_color_buffer_float)",
+                "take another driver or browser: G-buffers and sums of light need them");
   d.software = is_software(d.renderer);
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &d.max_size);
   GLint viewport[2] = {};
@@ -99,11 +114,9 @@ Device probe_device(FeatureSet without) {
   d.max_size = std::min({d.max_size, viewport[0], viewport[1]});
   glGetIntegerv(GL_MAX_DRAW_BUFFERS, &d.max_draw_buffers);
   glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &d.max_texture_units);
-  GLint texels = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  d.max_buffer_texels = static_cast<size_t>(texels);
-  glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &d.time_query_bits);
-  d.features = present_features(d.time_query_bits);
+  d.max_table_texels = max_table_texels(d);
+  if (!es) glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &d.time_query_bits);
+  d.features = es ? es_features() : core_features(d.time_query_bits);
   for (const FeatureRow& r : kFeatures)
     if (without.has(r.feature)) d.features.remove(r.feature);
   return g_device = d;

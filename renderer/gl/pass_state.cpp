@@ -64,21 +64,34 @@ void change(const PassState& s) {
     glClipControl(GL_LOWER_LEFT, s.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
 }
 
+static void state_what_only_one_api_has() {
+  if (device().api == Api::es3) return glDepthRangef(0, 1);
+  glDepthRange(0, 1);
+  glDisable(GL_COLOR_LOGIC_OP);
+  glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
+  glDisable(GL_PRIMITIVE_RESTART);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void let_shaders_size_points(bool on) {
+  if (device().api == Api::core) enable(GL_PROGRAM_POINT_SIZE, on);  // in GLES they always do
+}
+
+void clip_at_plane(bool on) {
+  if (device().api == Api::core) enable(GL_CLIP_DISTANCE0, on);
+}
+
 void apply(const PassState& s) {
   change(s);
   apply_winding(Winding::counter_clockwise);
   glBlendEquation(GL_FUNC_ADD);
   glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_COLOR_LOGIC_OP);
-  glDepthRange(0, 1);
   glDisable(GL_DITHER);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
   glDisable(GL_SAMPLE_COVERAGE);
   glDisable(GL_RASTERIZER_DISCARD);
-  glDisable(GL_FRAMEBUFFER_SRGB);  // the display transform is ours
-  glDisable(GL_PRIMITIVE_RESTART);
-  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  state_what_only_one_api_has();
   for (int unit = 0; unit < units_in_use(); ++unit) glBindSampler(static_cast<GLuint>(unit), 0);
 }
 

@@ -31,6 +31,8 @@ struct PassState {
 void apply(const PassState&);   // everything, at the start of a pass
 void change(const PassState&);  // between the draws of a pass that was begun with apply()
 void apply_cull(Cull);          // changes per light (source 0's flip) and per material (double-sided)
-void apply_winding(Winding);    // of front faces: clockwise where an object is mirrored
+void let_shaders_size_points(bool);
+void clip_at_plane(bool);     // by gl_ClipDistance[0]; without it shaders discard (material.glsl)
+void apply_winding(Winding);  // of front faces: clockwise where an object is mirrored
 
 }  // namespace gbl::gl

@@ -8,20 +8,44 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/resources.h"
+#include "renderer/gl/device.h"
 #include "renderer/gl/misuse.h"
+#include "renderer/gl/texel_buffer.h"
 #include "renderer/gl/texture_units.h"
 
 namespace gbl::gl {
 namespace {
 
-constexpr const char* kPrelude = "#version 330 core\n#define real float\n";
-constexpr const char* kComputePrelude = "#version 430 core\n#define real float\n";
+// Tables (texel_buffer.h) are read by index alone.
+#define GBL_CORE_WORDS                                                                                       \
+  "#define real float\n#define HAS_CLIP_DISTANCE 1\n#define number_table samplerBuffer\n#define word_table " \
+  "usamplerBuffer\n#define table_at "                                                                        \
+  "texelFetch\n"
+constexpr const char* kPrelude = "#version 330 core\n" GBL_CORE_WORDS;
+constexpr const char* kComputePrelude = "#version 430 core\n" GBL_CORE_WORDS;
 // Lines of the n-th file count from n times this: Mesa says of some errors that they are in file 0, whichever it is.
 constexpr size_t kMostLines = 100'000;
 
-constexpr const char* kTessellationPrelude = "#version 400 core\n#define real float\n";
+constexpr const char* kTessellationPrelude = "#version 400 core\n" GBL_CORE_WORDS;
+#undef GBL_CORE_WORDS
 
-constexpr const char* prelude_of(Kind stage) {
+// There are no buffer textures, no planes that clip, and no interpolation across the screen.
+constexpr const char* kEsPrelude = R"(#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp usampler2D;
+#define real float
+#define HAS_CLIP_DISTANCE 0
+#define number_table sampler2D
+#define word_table usampler2D
+vec4 table_at(number_table t, int i) { return texelFetch(t, ivec2(i & 2047, i >> 11), 0); }
+uvec4 table_at(word_table t, int i) { return texelFetch(t, ivec2(i & 2047, i >> 11), 0); }
+)";
+static_assert(kTableWidth == 2048, "as table_at() has it");
+
+const char* prelude_of(Kind stage) {
+  if (device().api == Api::es3) return kEsPrelude;
   switch (stage) {
     case Kind::compute_shader: return kComputePrelude;
     case Kind::control_shader:
@@ -65,6 +89,30 @@ void append_file(ShaderText& out, const std::string& name, const Defines& define
   }
 }
 
+// "#define NAME 0" for each name of an #if that nothing defines and nothing asks "is it defined?" of. GLSL ES takes no such
+// name.
+std::string undefined_as_0(const std::string& text) {
+  static const std::regex kCondition(R"(^\s*#\s*(?:el)?if\s+(.*)$)"), kName(R"([A-Za-z_]\w*)"),
+      kDefine(R"(^\s*#\s*(?:define|ifn?def)\s+(\w+).*$)"), kDefined(R"(\bdefined\s*\(?\s*(\w+))");
+  std::set<std::string> asked, known{"defined", "HAS_CLIP_DISTANCE"};
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch m;
+    if (line.find('#') == std::string::npos) continue;
+    if (std::regex_match(line, m, kDefine)) known.insert(m[1]);
+    if (!std::regex_match(line, m, kCondition)) continue;
+    const std::string condition = m[1].str().substr(0, m[1].str().find("//"));
+    for (std::sregex_iterator name(condition.begin(), condition.end(), kName), end; name != end; ++name)
+      asked.insert(name->str());
+    for (std::sregex_iterator name(condition.begin(), condition.end(), kDefined), end; name != end; ++name)
+      known.insert((*name)[1]);
+  }
+  std::string out;
+  for (const std::string& name : asked)
+    if (!known.contains(name)) out += fmt::format("#define {} 0\n", name);
+  return out;
+}
+
 // The driver's text in full: `length` is glGetShaderiv or glGetProgramiv, `log` the call that goes with it.
 std::string info_log(GLuint id, decltype(glGetShaderiv) length, decltype(glGetShaderInfoLog) log) {
   GLint bytes = 0;  // with the 0 at the end
@@ -79,8 +127,9 @@ std::string info_log(GLuint id, decltype(glGetShaderiv) length, decltype(glGetSh
 template <Kind kStage>
 Object<kStage> compile_stage(const ShaderText& text) {
   auto shader = Object<kStage>::make();
-  const char* parts[] = {prelude_of(kStage), text.body.c_str()};
-  glShaderSource(shader.id(), 2, parts, nullptr);
+  const std::string zeros = device().api == Api::es3 ? undefined_as_0(text.body) : "";
+  const char* parts[] = {prelude_of(kStage), zeros.c_str(), text.body.c_str()};
+  glShaderSource(shader.id(), 3, parts, nullptr);
   glCompileShader(shader.id());
   GLint ok = 0;
   glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);

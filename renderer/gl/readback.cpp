@@ -1,12 +1,13 @@
 #include "renderer/gl/readback.h"
 
-#include <bit>
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
-#include <glm/gtc/packing.hpp>
 
 #include "renderer/base/error.h"
+#include "renderer/gl/device.h"
 #include "renderer/gl/gl_error.h"
+#include "renderer/gl/transfer.h"
 
 namespace gbl::gl {
 namespace {
@@ -17,7 +18,7 @@ class ReadScope {
   explicit ReadScope(const Texture& t) : fbo_(make_framebuffer(of(t))) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, fbo_.id());
     glReadBuffer(is_depth(t) ? GL_NONE : GL_COLOR_ATTACHMENT0);
-    glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+    if (device().api == Api::core) glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
   }
   ~ReadScope() { glBindFramebuffer(GL_READ_FRAMEBUFFER, 0); }
 
@@ -55,8 +56,23 @@ GLenum state_of(GLsync fence, bool wait) {
 }  // namespace
 
 std::vector<uint8_t> read_rgba8(const Texture& t) { return read_now<uint8_t>(t, GL_RGBA, GL_UNSIGNED_BYTE); }
-std::vector<float> read_rgba32f(const Texture& t) { return read_now<float>(t, GL_RGBA, GL_FLOAT); }
-std::vector<float> read_depth(const Texture& t) { return read_now<float>(t, GL_DEPTH_COMPONENT, GL_FLOAT); }
+
+std::vector<float> read_rgba32f(const Texture& t) {
+  if (transfer_of(t.format).type != GL_UNSIGNED_BYTE || device().api == Api::core)
+    return read_now<float>(t, GL_RGBA, GL_FLOAT);
+  const std::vector<uint8_t> codes = read_rgba8(t);
+  std::vector<float> out(codes.size());
+  std::transform(codes.begin(), codes.end(), out.begin(), [](uint8_t code) { return float(code) / 255; });
+  return out;
+}
+
+std::vector<float> read_depth(const Texture& t) {
+  if (device().api == Api::core) return read_now<float>(t, GL_DEPTH_COMPONENT, GL_FLOAT);
+  const std::vector<float> in_red = read_now<float>(*Readable(t), GL_RGBA, GL_FLOAT);
+  std::vector<float> out(in_red.size() / 4);
+  for (size_t i = 0; i < out.size(); ++i) out[i] = in_red[4 * i];
+  return out;
+}
 
 AsyncBytes::~AsyncBytes() { drop(); }
 
@@ -112,54 +128,16 @@ const std::vector<float>* AsyncRead::take(bool wait) {
   return &values_;
 }
 
-namespace {
-
-constexpr size_t kTexelBytes = 16;  // no format's client data is larger
-
-// Channel c of a texel as its client data (gl_format) holds it.
-template <class Value>
-Value channel(const std::byte* texel, size_t c) {
-  Value v;
-  std::memcpy(&v, texel + c * sizeof v, sizeof v);
-  return v;
-}
-
-// What was stored in these bits, read as a float, gives these bits again: the float is representable in them.
-uint32_t bits_of(float value, int bits) {
-  if (bits == 32) return std::bit_cast<uint32_t>(value);
-  // 11 and 10 bits are a half float's without the sign, its fraction cut short. (GLM's own packing loses subnormal numbers.)
-  return uint32_t{glm::packHalf1x16(value)} >> (bits == 16 ? 0 : 15 - bits);
-}
-
-std::array<uint32_t, 4> bits_of(const std::byte* texel, Format format) {
-  const FormatRow& f = row(format);
-  std::array<uint32_t, 4> out{};
-  for (size_t c = 0; c < static_cast<size_t>(f.channels); ++c) {
-    const int bits = f.channel_bits[c];
-    if (f.numeric == Numeric::floating)
-      out[c] = bits_of(channel<float>(texel, c), bits);
-    else if (f.numeric == Numeric::depth)
-      out[c] = channel<uint32_t>(texel, c) >> (32 - bits);  // fixed point fills the word from its top
-    else if (bits == 8)
-      out[c] = channel<uint8_t>(texel, c);
-    else
-      out[c] = bits == 16 ? channel<uint16_t>(texel, c) : channel<uint32_t>(texel, c);
-  }
-  if (format == Format::d24s8) out[1] = channel<uint32_t>(texel, 0) & 0xff;
-  if (format == Format::d32fs8) out[1] = channel<uint32_t>(texel, 1) & 0xff;
-  return out;
-}
-
-}  // namespace
-
 void AsyncTexels::start(std::span<const Texture* const> textures, glm::ivec2 texel) {
   formats_.clear();
   for (const Texture* t : textures) formats_.push_back(t->format);
-  bytes_.start("texels", kTexelBytes * textures.size(), [&] {
+  std::vector<Readable> readable;
+  for (const Texture* t : textures) readable.emplace_back(*t);
+  bytes_.start("texels", kMostTexelBytes * textures.size(), [&] {
     for (size_t i = 0; i < textures.size(); ++i) {
-      const ReadScope scope(*textures[i]);
-      const GlFormat& f = gl_format(textures[i]->format);
-      glReadPixels(texel.x, texel.y, 1, 1, f.format, f.type, reinterpret_cast<void*>(i * kTexelBytes));
+      const ReadScope scope(*readable[i]);
+      const Transfer t = transfer_of(textures[i]->format);
+      glReadPixels(texel.x, texel.y, 1, 1, t.channels, t.type, reinterpret_cast<void*>(i * kMostTexelBytes));
     }
   });
 }
@@ -168,7 +146,8 @@ std::optional<std::vector<std::array<uint32_t, 4>>> AsyncTexels::take(bool wait)
   const std::vector<std::byte>* bytes = bytes_.take(wait);
   if (!bytes) return {};
   std::vector<std::array<uint32_t, 4>> out;
-  for (size_t i = 0; i < formats_.size(); ++i) out.push_back(bits_of(bytes->data() + i * kTexelBytes, formats_[i]));
+  for (size_t i = 0; i < formats_.size(); ++i)
+    out.push_back(stored_bits(bytes->data() + i * kMostTexelBytes, formats_[i]));
   return out;
 }
 

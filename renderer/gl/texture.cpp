@@ -174,9 +174,11 @@ Framebuffer make_framebuffer(const FramebufferDesc& d) {
 void state_pixel_storage() {
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
-  for (const GLenum gap : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SWAP_BYTES,
-                           GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_SWAP_BYTES})
+  for (const GLenum gap : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS, GL_PACK_ROW_LENGTH,
+                           GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS})
     glPixelStorei(gap, 0);
+  if (device().api == Api::core)
+    for (const GLenum swap : {GL_UNPACK_SWAP_BYTES, GL_PACK_SWAP_BYTES}) glPixelStorei(swap, 0);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }

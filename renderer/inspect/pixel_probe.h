@@ -37,6 +37,7 @@ inline constexpr int kProbeFieldCount = 0
 struct StoredTexel {
   Attachment attachment;
   std::array<uint32_t, 4> bits{};
+  bool as_sampled = false;  // depth where only shaders read it: 24 bits within one code, and no stencil
 };
 // "b4 8f 6a 7d": the channels in order, each with all of its hexadecimal digits.
 std::string hex(const StoredTexel&);

@@ -103,6 +103,7 @@ std::string place_of(const StoredField& f, Format format) {
 std::vector<FieldRead> read_fields(const Settings& s, const StoredTexel& t) {
   std::vector<FieldRead> out;
   for (StoredField& f : stored_fields(s, t.attachment, t.bits[0] >> 31 == 1)) {
+    if (t.as_sampled && std::string_view(f.name) == "stencil") continue;
     FieldRead r{.field = std::move(f), .place = {}, .binary = {}, .codes = {}, .values = {}};
     r.place = place_of(r.field, t.attachment.format);
     for (const BitRuns& code : r.field.components)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kWords = 4;  // of a texel
 
-size_t most_words() { return kWords * gl::device().max_buffer_texels; }
+size_t most_words() { return kWords * gl::device().max_table_texels; }
 size_t most_heads() { return most_words() / kWords / 2; }  // the other half is for the lists
 
 // As many as a buffer of this driver holds beside the heads; lights beyond them are read by every pixel.

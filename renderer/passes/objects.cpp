@@ -189,8 +189,7 @@ void draw_parts_in_view(const Frame& frame, const GpuScene::GpuMesh& mesh, const
     counts.push_back(static_cast<GLsizei>(p->count));
     offsets.push_back(reinterpret_cast<const void*>(size_t{p->first} * sizeof(uint32_t)));
   }
-  glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
-                      static_cast<GLsizei>(counts.size()));
+  gl::draw_runs(counts, offsets);
 }
 
 // Of one object, in corners that no two triangles share.
@@ -288,7 +287,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
   if (draws.empty()) return 0;
   gl::bind_texels("instance_data", frame.targets().uploads.instance_data);
   const bool clipped = clips(frame, defines);
-  if (clipped) glEnable(GL_CLIP_DISTANCE0);
+  if (clipped) gl::clip_at_plane(true);
   for (const ObjectDraw& draw : draws) {
     const Material& material = material_of(frame, *draw.batch);
     if (faces == ObjectFaces::culled && material.double_sided) continue;
@@ -320,7 +319,7 @@ int draw_objects(const Frame& frame, const std::vector<ObjectDraw>& draws, const
     else
       glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr, draw.count);
   }
-  if (clipped) glDisable(GL_CLIP_DISTANCE0);
+  if (clipped) gl::clip_at_plane(false);
   return static_cast<int>(draws.size());
 }
 

@@ -140,10 +140,10 @@ void Renderer::draw_outside(const OutsideView& v, View colours, const Settings& 
   constexpr float kEmpty[4] = {0.05f, 0.06f, 0.08f, 1}, kFar = 1;
   glClearBufferfv(GL_COLOR, 0, kEmpty);
   glClearBufferfv(GL_DEPTH, 0, &kFar);
-  glEnable(GL_PROGRAM_POINT_SIZE);
+  gl::let_shaders_size_points(true);
   if (const Canvas* picture = targets.canvases.drawn_view(colours))
     draw_points(frame, v, clip, positions.texture, picture->texture, empty);
-  glDisable(GL_PROGRAM_POINT_SIZE);
+  gl::let_shaders_size_points(false);
   gl::change({.depth = gl::DepthTest::less_equal, .blend = gl::Blend::alpha});
   draw_light(frame, clip);
   draw_frustum(frame, clip, empty);

@@ -1,6 +1,7 @@
 // One pixel, stored and decoded (renderer/inspect/pixel_probe.h), read back without waiting.
 #include <cstring>
 
+#include "renderer/gl/transfer.h"
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/lighting.h"
 
@@ -33,6 +34,12 @@ void Renderer::start_probe(const Settings& s, const GpuScene& scene, Targets& ta
   reads.values.start(canvas.texture);
 }
 
+static StoredTexel stored_texel(Attachment a, const std::array<uint32_t, 4>& bits) {
+  const bool as_sampled = row(a.format).numeric == Numeric::depth && !gl::reads_depth();
+  if (as_sampled) a.contents = "window depth as shaders sample it: 24 bits within one code";
+  return {a, bits, as_sampled};
+}
+
 std::optional<PixelProbe> Renderer::take_probe(Targets& targets, bool wait) {
   const std::vector<float>* values = targets.reads.probe.values.take(wait);
   if (!values) return {};
@@ -40,7 +47,7 @@ std::optional<PixelProbe> Renderer::take_probe(Targets& targets, bool wait) {
   std::memcpy(out.values.data(), values->data(), sizeof out.values);
   const auto bits = targets.reads.probe.stored.take(true);  // it was asked for first: it has come
   const std::vector<Attachment>& attachments = targets.frame.attachments();
-  for (size_t i = 0; bits && i < bits->size(); ++i) out.stored.push_back({attachments[i], (*bits)[i]});
+  for (size_t i = 0; bits && i < bits->size(); ++i) out.stored.push_back(stored_texel(attachments[i], (*bits)[i]));
   return out;
 }
 

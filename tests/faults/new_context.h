@@ -35,8 +35,8 @@ inline void take_names(GLsizei count) {
   for (GLsizei k = 0; k < count; ++k) glCreateProgram();
 }
 
-inline Drawn drawn_on_a_new_context(const Settings& s, GLsizei taken_names) {
-  const HeadlessContext context;
+inline Drawn drawn_on_a_new_context(const Settings& s, GLsizei taken_names, gl::Api api = gl::Api::core) {
+  const HeadlessContext context(api);
   take_names(taken_names);
   Lab lab(FeatureSet{});
   Drawn out{pictures_of(lab, s), {}};
