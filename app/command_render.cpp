@@ -16,6 +16,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
 #include "renderer/base/size_text.h"
+#include "renderer/base/threads.h"
 #include "renderer/frame/packing_svg.h"
 #include "renderer/inspect/view_buffers.h"
 #include "renderer/opening/scene_look.h"
@@ -59,9 +60,8 @@ class Writer {
   explicit Writer(fs::path folder) : folder_(std::move(folder)) {}
   void write(const std::string& name, Image image, PngText texts) {
     written_.push_back(name);
-    tasks_.push_back(std::async(std::launch::async, [this, name, image = std::move(image), texts = std::move(texts)] {
-      write_png(folder_ / name, image, texts);
-    }));
+    tasks_.push_back(in_background(
+        [this, name, image = std::move(image), texts = std::move(texts)] { write_png(folder_ / name, image, texts); }));
   }
   std::vector<std::string> finish() {
     for (auto& t : tasks_) t.get();

@@ -18,6 +18,7 @@
 #include "app/viewer.h"
 #include "app/window.h"
 #include "renderer/base/files.h"
+#include "renderer/base/threads.h"
 #include "renderer/gbuffer/layout_file.h"
 #include "renderer/opening/scene_look.h"
 
@@ -71,7 +72,7 @@ std::optional<Start> open_meanwhile(const Arguments& a, SessionKeeper& keeper, W
   LoadStage stage;
   const std::string scene =
       goes_on(a) && keeper.found().last ? keeper.found().last->settings.scene : a.scene.value_or("");
-  std::future<Start> work = std::async(std::launch::async, [&] { return start_of(a, keeper, &stage.progress()); });
+  std::future<Start> work = in_background([&] { return start_of(a, keeper, &stage.progress()); });
   while (work.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     show_start(window, screen, fmt::format("reading {}: {}", scene, stage.text()));
     window.wait_events(kFrameSeconds);

@@ -1,11 +1,11 @@
 #include "app/pair_arithmetic.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "app/bench.h"
 #include "app/pair_blocks.h"
 #include "renderer/base/random.h"
+#include "renderer/base/threads.h"
 
 #if defined(__x86_64__)
 #include <xmmintrin.h>
@@ -60,18 +60,16 @@ std::optional<double> arithmetic_ns_per_pair(ShadingModel model, Attenuation att
   const std::vector<PairPixels> pixels = some_pixels(random, blocks);
   const std::vector<PairLight> all = some_lights(random, lights);
   std::vector<PairSums> sums(pixels.size());
-  const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+  const int threads = all_processors();
   double best_s = 1e9;
   constexpr int kRuns = 5;
   for (int run = 0; run < kRuns; ++run) {
     const double begin = now_s();
-    std::vector<std::jthread> at_work;
-    for (unsigned t = 0; t < threads; ++t)
-      at_work.emplace_back([&, t] {
-        flush_small_numbers();
-        for (size_t i = t; i < pixels.size(); i += threads) loop(pixels[i], all.data(), lights, sums[i]);
-      });
-    at_work.clear();
+    on_threads(threads, [&](int t) {
+      flush_small_numbers();
+      for (size_t i = static_cast<size_t>(t); i < pixels.size(); i += static_cast<size_t>(threads))
+        loop(pixels[i], all.data(), lights, sums[i]);
+    });
     best_s = std::min(best_s, now_s() - begin);
   }
   return best_s * 1e9 / (double(lights) * blocks * kLanes);

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "renderer/base/threads.h"
+
 namespace gbl {
 
 SceneLoader::~SceneLoader() { cancel(); }
@@ -17,7 +19,7 @@ void SceneLoader::start(std::string name) {
   cancel();
   stage_.begin();
   name_ = std::move(name);
-  task_ = std::async(std::launch::async, [this] { return open_scene(name_, &stage_.progress()); });
+  task_ = in_background([this] { return open_scene(name_, &stage_.progress()); });
 }
 
 std::shared_ptr<const Scene> SceneLoader::take(bool wait) {

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
+
+#include "renderer/base/json.h"
 
 namespace gbl {
 namespace {
@@ -37,17 +38,20 @@ bool is_decimal(std::string_view text, bool whole) {
   return text.empty();
 }
 
-template <class Value>
-std::optional<Value> read(std::string_view text, bool whole) {
-  Value value{};
-  const bool right =
-      is_decimal(text, whole) && std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
-  return right ? std::optional(value) : std::nullopt;
-}
-
 }  // namespace
 
-std::optional<double> decimal(std::string_view text) { return read<double>(text, false); }
-std::optional<long long> whole_decimal(std::string_view text) { return read<long long>(text, true); }
+// By the JSON library: not every standard library reads a double from characters without regard to the locale.
+std::optional<double> decimal(std::string_view text) {
+  if (!is_decimal(text, false)) return {};
+  const Json number = Json::parse(text, nullptr, false);
+  return number.is_number() ? std::optional(number.get<double>()) : std::nullopt;
+}
+
+std::optional<long long> whole_decimal(std::string_view text) {
+  long long value = 0;
+  const bool right =
+      is_decimal(text, true) && std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
+  return right ? std::optional(value) : std::nullopt;
+}
 
 }  // namespace gbl

@@ -7,6 +7,17 @@
 #include <vector>
 
 namespace gbl {
+namespace {
+
+// Joined when they go, and also where a next one cannot be started.
+struct Threads {
+  std::vector<std::thread> all;
+  ~Threads() {
+    for (std::thread& t : all) t.join();
+  }
+};
+
+}  // namespace
 
 int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
@@ -22,8 +33,8 @@ void on_threads(int count, const std::function<void(int)>& work) {
     }
   };
   {
-    std::vector<std::jthread> others;  // joined when they go, and also where a next one cannot be started
-    for (int i = 1; i < count; ++i) others.emplace_back(guarded, i);
+    Threads others;
+    for (int i = 1; i < count; ++i) others.all.emplace_back(guarded, i);
     guarded(0);
   }
   if (thrown) std::rethrow_exception(thrown);

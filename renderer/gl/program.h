@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "renderer/gl/object.h"
@@ -17,7 +18,8 @@ struct Define {
   std::string value;  // a number, a word of GLSL or a file that `#include NAME` names
   Define(std::string n, int v) : name(std::move(n)), value(std::to_string(v)) {}
   Define(std::string n, std::string word) : name(std::move(n)), value(std::move(word)) {}
-  auto operator<=>(const Define&) const = default;
+  bool operator==(const Define&) const = default;
+  bool operator<(const Define& o) const { return std::tie(name, value) < std::tie(o.name, o.value); }
 };
 using Defines = std::vector<Define>;
 

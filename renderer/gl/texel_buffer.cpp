@@ -27,19 +27,19 @@ void write_buffer(TexelBuffer& table, Format format, const void* texels, size_t 
 
 // Whole rows, and what is left over in one more.
 void write_rows(Format format, const void* texels, size_t count, std::string_view label) {
-  const auto [internal, channels, type] = gl_format(format);
+  const GlFormat f = gl_format(format);
   const auto whole = static_cast<GLsizei>(count / kTableWidth), rest = static_cast<GLsizei>(count % kTableWidth);
   const auto* bytes = static_cast<const std::byte*>(texels);
   state_pixel_storage();
   attempt({label, fmt::format("a table of {} texels", count), kFewer}, [&] {
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), kTableWidth, whole + (rest > 0), 0, channels, type,
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), kTableWidth, whole + (rest > 0), 0, f.format, f.type,
                  nullptr);
   });
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // there are no levels
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  if (whole > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kTableWidth, whole, channels, type, bytes);
+  if (whole > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kTableWidth, whole, f.format, f.type, bytes);
   const size_t done = size_t(kTableWidth) * static_cast<size_t>(whole) * static_cast<size_t>(row(format).bytes);
-  if (rest > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, whole, rest, 1, channels, type, bytes + done);
+  if (rest > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, whole, rest, 1, f.format, f.type, bytes + done);
 }
 
 }  // namespace

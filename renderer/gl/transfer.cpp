@@ -1,6 +1,5 @@
 #include "renderer/gl/transfer.h"
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -48,7 +47,7 @@ Value channel(const std::byte* texel, size_t c) {
 
 // What was stored in these bits, read as a float, gives these bits again: the float is representable in them.
 uint32_t bits_of_float(float value, int bits) {
-  if (bits == 32) return std::bit_cast<uint32_t>(value);
+  if (bits == 32) return glm::floatBitsToUint(value);
   // 11 and 10 bits are a half float's without the sign, its fraction cut short. (GLM's own packing loses subnormal numbers.)
   return uint32_t{glm::packHalf1x16(value)} >> (bits == 16 ? 0 : 15 - bits);
 }
@@ -57,7 +56,7 @@ uint32_t bits_of_depth(const std::byte* texel, Format format) {
   const int bits = row(format).channel_bits[0];
   if (!es()) return channel<uint32_t>(texel, 0) >> (32 - bits);  // fixed point fills the word from its top
   const auto depth = channel<float>(texel, 0);
-  if (bits == 32) return std::bit_cast<uint32_t>(depth);
+  if (bits == 32) return glm::floatBitsToUint(depth);
   return static_cast<uint32_t>(std::llround(double(depth) * double((1u << bits) - 1)));
 }
 

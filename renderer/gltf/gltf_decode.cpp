@@ -3,8 +3,8 @@
 #include <atomic>
 #include <fmt/format.h>
 #include <optional>
-#include <thread>
 
+#include "renderer/base/threads.h"
 #include "renderer/gltf/gltf_accessor.h"
 #include "renderer/gltf/gltf_image.h"
 #include "renderer/gltf/gltf_limits.h"
@@ -96,24 +96,15 @@ void decode_images(const Document& document, std::vector<ImageJob> jobs, Scene& 
       scene.textures[static_cast<size_t>(texture)].name = name_of(document, one.image);
   }
   std::atomic<size_t> next{0}, done{0};
-  const auto work = [&](bool reports) {
+  const auto work = [&](int helper) {
     for (size_t i = next++; i < jobs.size() && !job.cancelled(); i = next++) {
       fill(scene, jobs[i], encoded[i]);
       ++done;
-      if (reports && !job.cancelled())
+      if (helper == 0 && !job.cancelled())  // on the caller's thread
         job.step("textures", 0.6 + 0.39 * static_cast<double>(done) / static_cast<double>(jobs.size()));
     }
   };
-  {
-    struct Joined : std::vector<std::thread> {  // also when reporting throws
-      ~Joined() {
-        for (std::thread& thread : *this) thread.join();
-      }
-    } helpers;
-    const size_t processors = std::max(1u, std::thread::hardware_concurrency());
-    for (size_t i = 1; i < std::min(processors, jobs.size()); ++i) helpers.emplace_back(work, false);
-    work(true);
-  }
+  on_threads(std::min(all_processors(), static_cast<int>(jobs.size())), work);
   job.step("textures", 0.99);
   for (size_t i = 0; i < jobs.size(); ++i)
     if (!encoded[i].failure.empty())

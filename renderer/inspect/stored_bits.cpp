@@ -1,7 +1,6 @@
 #include "renderer/inspect/stored_bits.h"
 
 #include <algorithm>
-#include <bit>
 #include <fmt/format.h>
 #include <glm/gtc/packing.hpp>
 
@@ -32,7 +31,7 @@ uint32_t code_of(const BitRuns& code, const StoredTexel& t) {
 }
 
 double float_of(uint32_t code, int bits) {
-  if (bits == 32) return std::bit_cast<float>(code);
+  if (bits == 32) return glm::uintBitsToFloat(code);
   const int shorter =
       bits == 16 ? 0 : 15 - bits;  // 11 and 10 bits are a half float's without sign, its fraction cut short
   return glm::unpackHalf1x16(static_cast<uint16_t>(code << shorter));

@@ -1,6 +1,6 @@
 // Counting pairs: variants of their own, so that what is timed is not slowed.
 #include <algorithm>
-#include <bit>
+#include <glm/glm.hpp>
 
 #include "renderer/passes/frame_block.h"
 #include "renderer/passes/lighting.h"
@@ -47,7 +47,7 @@ std::vector<int> Renderer::times_shaded(const std::vector<int>& lights, glm::ive
     const gl::Texture* const counts[] = {&targets.canvases.counts().texture};
     read.start(counts, {pixel.x, s.size.y - 1 - pixel.y});
     constexpr size_t kInRange = 2;
-    times.push_back(static_cast<int>(std::bit_cast<float>(read.take(true)->at(0)[kInRange])));
+    times.push_back(static_cast<int>(glm::uintBitsToFloat(read.take(true)->at(0)[kInRange])));
   }
   Frame frame = frame_of(s, scene, targets);
   bring_lights(frame);

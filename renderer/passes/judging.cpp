@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/threads.h"
 #include "renderer/gl/device.h"
 #include "renderer/passes/float_rows.h"
 
@@ -126,9 +127,8 @@ bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const 
   if (asked_below_ || settings_.height_map == HeightMap::off) return true;
   if (std::none_of(scene_->instances.begin(), scene_->instances.end(), deep)) return true;
   if (!uvs_moved_.valid())
-    uvs_moved_ = std::async(std::launch::async, [this, texels] {
-      return uvs_moved(HeightFields(settings_, *scene_), settings_, texels, threads_, &cancel_);
-    });
+    uvs_moved_ = in_background(
+        [this, texels] { return uvs_moved(HeightFields(settings_, *scene_), settings_, texels, threads_, &cancel_); });
   if (!wait && uvs_moved_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   const std::vector<glm::vec4> moved = uvs_moved_.get();
   const gl::Texture uvs = uploaded(
@@ -152,7 +152,7 @@ bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
   if (texels && !sampled_below(renderer, scene, *texels, wait)) texels = wait ? take_texels(wait) : std::nullopt;
   if (!texels) return false;
   reference_ = std::make_unique<Reference>(settings_, scene_, std::move(*texels));
-  work_ = std::async(std::launch::async, [this] {
+  work_ = in_background([this] {
     triangles_replaced_ = reference_->check_texels();
     reference_->find_rivals(&cancel_);
     return reference_->run(threads_, &cancel_);

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include "renderer/frame/resolved_frame.h"
 #include "renderer/gl/program.h"
@@ -51,7 +52,10 @@ class ProgramCache {
     std::string vertex, fragment;  // without a vertex shader: a compute shader
     gl::Defines defines;
     std::string tessellation = {};  // the name of three shaders; then no others
-    auto operator<=>(const Variant&) const = default;
+    bool operator<(const Variant& o) const {
+      return std::tie(vertex, fragment, tessellation, defines) <
+             std::tie(o.vertex, o.fragment, o.tessellation, o.defines);
+    }
   };
   using Stages = std::vector<gl::ShaderText>;  // in the order they run
   static Stages read(const Variant&);

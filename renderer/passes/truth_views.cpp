@@ -1,5 +1,4 @@
 // What the reference needs to see, what the measures need decoded, and the two views that show the truth.
-#include <bit>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/passes/judging.h"
@@ -92,7 +91,7 @@ SeenSurface Renderer::surface_at(const Settings& s, const GpuScene& scene, Targe
   read.start(textures, {pixel.x, s.size.y - 1 - pixel.y});
   const std::vector<std::array<uint32_t, 4>> bits = read.take(true).value();
   if (bits[1] != bits[2]) return {-1, -1};
-  return {static_cast<int>(std::bit_cast<float>(bits[0][0])), static_cast<int>(std::bit_cast<float>(bits[0][1]))};
+  return {static_cast<int>(glm::uintBitsToFloat(bits[0][0])), static_cast<int>(glm::uintBitsToFloat(bits[0][1]))};
 }
 
 void Renderer::draw_decoded(const Settings& s, const GpuScene& scene, Targets& targets, const gl::Framebuffer& into) {

@@ -1,8 +1,8 @@
 #include "renderer/truth/position_routes.h"
 
-#include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
 #include "renderer/gbuffer/position_source.h"
 #include "renderer/light/light_methods.h"
@@ -18,7 +18,7 @@ const StoredTexel* stored_depth(const PixelProbe& p) {
 }
 
 double window_of(const DepthAccount& d, uint32_t code) {
-  return d.floating ? double(std::bit_cast<float>(code)) : code / (std::exp2(double(d.bits)) - 1);
+  return d.floating ? double(glm::uintBitsToFloat(code)) : code / (std::exp2(double(d.bits)) - 1);
 }
 
 PositionRoute route(const Settings& s, const SurfacePixel& pixel, PositionSource source, PositionReconstruct by) {
