@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/base/threads.h"
 #include "renderer/study/study_here.h"
 
 namespace gbl {
@@ -27,7 +28,8 @@ void BackgroundAdvice::stop(std::string why) {
 }
 
 void BackgroundAdvice::start(const Settings& now, const ui::AdvisorRequest& asked) {
-  stop("");
+  stop(kHasThreads ? "" : "The advisor works on a thread of its own, and a page has none: use `gbufferlab advise`.");
+  if (!kHasThreads) return;
   if (now.scene != lab_.scene_name()) return;  // it is being read
   truth_ = as_measured(now), budget_ = asked.budget, cost_ = asked.cost;
   bench_.emplace(lab_, budget_, cost_);

@@ -1,6 +1,4 @@
 // The window: events in, one UI frame, whatever it asks for, picture out.
-#include <epoxy/gl.h>
-
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <fmt/format.h>
@@ -20,6 +18,7 @@
 #include "renderer/base/files.h"
 #include "renderer/base/threads.h"
 #include "renderer/gbuffer/layout_file.h"
+#include "renderer/gl/gl.h"
 #include "renderer/opening/scene_look.h"
 
 namespace gbl {
@@ -55,7 +54,7 @@ class LayoutWatch {
 
 // ImGui's GLFW back-end for as long as the window runs.
 struct GlfwBackend {
-  explicit GlfwBackend(const Window& w) { ImGui_ImplGlfw_InitForOpenGL(w.handle(), true); }
+  explicit GlfwBackend(const Window& w) { ImGui_ImplGlfw_InitForOpenGL(w.handle(), true), turn_wheel(w.handle()); }
   ~GlfwBackend() { ImGui_ImplGlfw_Shutdown(); }
 };
 
@@ -115,7 +114,11 @@ class Loop {
   }
 
   void run(int frames) {
-    for (int n = 0; !window_.closing() && (frames == 0 || n < frames); ++n) step();
+    each_frame([this, frames, n = 0]() mutable {
+      if (window_.closing() || (frames > 0 && n == frames)) return false;
+      step(), ++n;
+      return true;
+    });
     keeper_.keep(session(), glfwGetTime());
     if (const std::string trouble = keeper_.take_trouble(); !trouble.empty())
       fmt::print(stderr, "gbufferlab: {}\n", trouble);
@@ -310,13 +313,15 @@ class Loop {
 
 ExitCode run_view(const Arguments& a) {
   if (!display_present()) setup_of(a);  // what is wrong with the command line is said first
-  Window window(kWindowSize, "G-Buffer Lab", api_of(a));
-  ImguiScreen screen(api_of(a));
-  SessionKeeper keeper(session_file());
-  std::optional<Start> start = open_meanwhile(a, keeper, window, screen);
+  // Not on the stack: a page's frames go on when that is gone.
+  const auto window = std::make_unique<Window>(kWindowSize, "G-Buffer Lab", api_of(a));
+  const auto screen = std::make_unique<ImguiScreen>(api_of(a));
+  const auto keeper = std::make_unique<SessionKeeper>(session_file());
+  std::optional<Start> start = open_meanwhile(a, *keeper, *window, *screen);
   if (!start) return ExitCode::done;  // closed before it was open
-  show_start(window, screen, "compiling shaders, drawing the first frame");
-  Loop(a, window, screen, keeper, std::move(*start)).run(a.frames.value_or(0));
+  show_start(*window, *screen, "compiling shaders, drawing the first frame");
+  const auto loop = std::make_unique<Loop>(a, *window, *screen, *keeper, std::move(*start));
+  loop->run(a.frames.value_or(0));
   return ExitCode::done;
 }
 

@@ -1,15 +1,15 @@
 #include "app/figure_file.h"
 
-#include <epoxy/gl.h>
-
 #include <filesystem>
 #include <fmt/format.h>
 
 #include "app/figure_writer.h"
 #include "app/picture_texts.h"
+#include "app/window_system.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/made_by.h"
+#include "renderer/gl/gl.h"
 
 namespace gbl {
 namespace {
@@ -62,6 +62,7 @@ std::string save_figure(const ui::Figure& figure, glm::ivec2 window, ImguiScreen
   const PngText texts = picture_texts("gbufferlab view", s, machine);
   write_png(path, image, texts);
   write_words(path.parent_path(), words_of(figure, path, texts.back().second));
+  hand_over(path.string());
   return fmt::format("saved {}", path.string());
 }
 

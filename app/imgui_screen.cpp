@@ -1,11 +1,10 @@
 #include "app/imgui_screen.h"
 
-#include <epoxy/gl.h>
-
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include "renderer/gl/device.h"
+#include "renderer/gl/gl.h"
 #include "renderer/gl/readback.h"
 #include "renderer/passes/targets.h"
 

@@ -1,16 +1,11 @@
 #include "app/window.h"
 
-#include <epoxy/gl.h>
-
 #include <GLFW/glfw3.h>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <utility>
 
 #include "renderer/base/error.h"
+#include "renderer/gl/gl.h"
 
 namespace gbl {
 namespace {
@@ -38,53 +33,12 @@ std::string name_of(int key, int scancode) {
   for (const NamedKey& k : kNamedKeys)
     if (k.glfw == key) return k.name;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12) return fmt::format("F{}", key - GLFW_KEY_F1 + 1);
-  const char* printed = glfwGetKeyName(key, scancode);  // what this keyboard prints on it, lower case
-  return printed ? printed : "";
+  return printed_name(key, scancode);
 }
 
 constexpr glm::ivec2 kLeast{320, 180};  // for window managers; where there is none the screen stays empty below its own
 
 std::string g_last_error;
-
-// The one that shows this point of the desktop, or else the first; null: there is none.
-GLFWmonitor* monitor_at(glm::ivec2 point) {
-  int count = 0;
-  GLFWmonitor** monitors = glfwGetMonitors(&count);
-  for (int i = 0; i < count; ++i) {
-    glm::ivec2 at;
-    glfwGetMonitorPos(monitors[i], &at.x, &at.y);
-    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
-    const glm::ivec2 inside = point - at;
-    if (mode && inside.x >= 0 && inside.y >= 0 && inside.x < mode->width && inside.y < mode->height) return monitors[i];
-  }
-  return count > 0 ? monitors[0] : nullptr;
-}
-
-// Xlib ends the program with exit code 1 when its display goes. Asked for by name: GLFW brings the library, or, where
-// windows are not X11's, does not.
-int display_lost(void*) {
-  std::fputs("gbufferlab: window: the display was lost; start it again, pictures that were saved are kept\n", stderr);
-  std::_Exit(static_cast<int>(ExitCode::unfinished));
-}
-
-void name_lost_displays() {
-  using Handler = int (*)(void*);
-  using SetHandler = Handler (*)(Handler);
-  if (void* found = dlsym(RTLD_DEFAULT, "XSetIOErrorHandler")) reinterpret_cast<SetHandler>(found)(display_lost);
-}
-
-void ask_for(gl::Api api) {
-  const bool es = api == gl::Api::es3;
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, es ? 0 : 3);
-  if (es) {
-    glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_ES_API);
-    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_EGL_CONTEXT_API);
-    return;
-  }
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no core profile without it
-}
 
 }  // namespace
 
@@ -94,9 +48,7 @@ Window::Window(glm::ivec2 size, const char* title, gl::Api api) {
     throw Error(ExitCode::no_gl, "window", fmt::format("no display ({})", g_last_error),
                 "start it in a desktop session, or use `render`, which needs none");
   name_lost_displays();
-  ask_for(api);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // full on a projector, it stays while the other screen is used
+  ask_for_context(api);
   window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
   if (!window_) {
     glfwTerminate();
@@ -105,7 +57,7 @@ Window::Window(glm::ivec2 size, const char* title, gl::Api api) {
         fmt::format("no window with {} ({})", api == gl::Api::es3 ? "OpenGL ES 3.0" : "OpenGL 3.3", g_last_error),
         "install a GL driver; Mesa's software driver is in libgl1-mesa-dri");
   }
-  fit_monitor();
+  fit_monitor(window_);
   glfwSetWindowSizeLimits(window_, kLeast.x, kLeast.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwMakeContextCurrent(window_);
   glfwSwapInterval(1);
@@ -133,9 +85,7 @@ Window::~Window() {
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 
 void Window::wait_events(double seconds) {
-  const double before = glfwGetTime();
-  glfwWaitEventsTimeout(seconds);
-  if (glfwGetTime() - before < seconds * 0.9) input_ = true;
+  if (wait_for_events(seconds)) input_ = true;
 }
 
 glm::ivec2 Window::framebuffer_size() const {
@@ -144,37 +94,9 @@ glm::ivec2 Window::framebuffer_size() const {
   return size;
 }
 
-float Window::content_scale() const {
-  glm::vec2 scale(1);
-  glfwGetWindowContentScale(window_, &scale.x, &scale.y);
-  return std::round(scale.x * 4) / 4;  // X11 gives 1.04 for 100 dots per inch
-}
-
-void Window::fit_monitor() {
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-  if (!monitor) return;
-  glm::ivec2 at, room, size;
-  glfwGetMonitorWorkarea(monitor, &at.x, &at.y, &room.x, &room.y);
-  glfwGetWindowSize(window_, &size.x, &size.y);
-  const glm::ivec2 fitted = glm::min(size, room);
-  if (fitted != size && fitted.x > 0 && fitted.y > 0) glfwSetWindowSize(window_, fitted.x, fitted.y);
-}
-
-bool Window::full_screen() const { return glfwGetWindowMonitor(window_) != nullptr; }
-
-void Window::toggle_full_screen() {
-  if (full_screen()) {
-    glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, size_.x, size_.y, GLFW_DONT_CARE);
-    return;
-  }
-  glfwGetWindowPos(window_, &place_.x, &place_.y);
-  glfwGetWindowSize(window_, &size_.x, &size_.y);
-  GLFWmonitor* monitor = monitor_at(place_ + size_ / 2);
-  const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
-  if (!mode) throw Error(ExitCode::unfinished, "full screen", "there is no monitor to fill");
-  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-}
-
+float Window::content_scale() const { return content_scale_of(window_); }
+bool Window::full_screen() const { return full_screen_.on(window_); }
+void Window::toggle_full_screen() { full_screen_.toggle(window_); }
 void Window::swap() { glfwSwapBuffers(window_); }
 
 std::vector<std::string> Window::take_drops() { return std::exchange(drops_, {}); }

@@ -5,10 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/gl/device.h"
+#include "app/window_system.h"
 #include "ui/ui.h"
-
-struct GLFWwindow;
 
 namespace gbl {
 
@@ -37,9 +35,8 @@ class Window {
   static void on_key(GLFWwindow*, int key, int scancode, int action, int mods);
   static void on_character(GLFWwindow*, unsigned codepoint);
   static void on_drop(GLFWwindow*, int count, const char** paths);
-  void fit_monitor();
   GLFWwindow* window_ = nullptr;
-  glm::ivec2 place_{0}, size_{0};  // of the window, while it fills the screen
+  FullScreen full_screen_;
   std::vector<ui::KeyEvent> keys_;
   std::vector<std::string> drops_;
   std::set<std::string> held_;

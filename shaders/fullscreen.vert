@@ -1,5 +1,7 @@
 // One triangle over the whole viewport, from gl_VertexID alone.
+#if VARYING_INVERSE
 #include "shared.h"
+#endif
 #include "varyings.glsl"
 
 void main() {

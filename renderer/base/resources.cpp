@@ -15,17 +15,31 @@
 #if defined(__APPLE__)
 #define GBL_SECTION ".const_data\n"
 #define GBL_SYMBOL(n) "_gbl_resource_" #n
+#elif defined(__wasm__)
+#define GBL_SECTION ".section .rodata.gbl_resources,\"\",@\n"
+#define GBL_SYMBOL(n) "gbl_resource_" #n
 #else
 #define GBL_SECTION ".section .rodata\n"
 #define GBL_SYMBOL(n) "gbl_resource_" #n
 #endif
-#define EMBED_AT(line, file)                                                                                         \
-  asm(GBL_SECTION ".globl " GBL_SYMBOL(line) "\n" GBL_SYMBOL(line) ":\n.incbin \"" file                              \
-                                                                   "\"\n"                                            \
-                                                                   ".globl " GBL_SYMBOL(line##_end) "\n" GBL_SYMBOL( \
-                                                                       line##_end) ":\n.byte 0\n.text\n");           \
-  extern "C" const char gbl_resource_##line[];                                                                       \
+// WebAssembly wants each symbol's kind and size.
+#ifdef __wasm__
+#define GBL_KIND(symbol) ".type " symbol ",@object\n"
+#define GBL_SIZE(symbol, size) ".size " symbol ", " size "\n"
+#else
+#define GBL_KIND(symbol)
+#define GBL_SIZE(symbol, size)
+#endif
+#define GBL_LABEL(symbol) ".globl " symbol "\n" GBL_KIND(symbol) symbol ":\n"
+// clang-format off
+#define EMBED_AT(line, file)                                                                   \
+  asm(GBL_SECTION GBL_LABEL(GBL_SYMBOL(line)) ".incbin \"" file "\"\n"                         \
+      GBL_LABEL(GBL_SYMBOL(line##_end)) ".ascii \"\\0\"\n"                                     \
+      GBL_SIZE(GBL_SYMBOL(line), GBL_SYMBOL(line##_end) "-" GBL_SYMBOL(line))                  \
+      GBL_SIZE(GBL_SYMBOL(line##_end), "1") ".text\n");                                        \
+  extern "C" const char gbl_resource_##line[];                                                 \
   extern "C" const char gbl_resource_##line##_end[];
+// clang-format on
 #define EMBED(line, file) EMBED_AT(line, file)
 #define ROW(name, file) EMBED(__LINE__, file)
 #include "resource_rows.inc"

@@ -19,7 +19,7 @@ struct Threads {
 
 }  // namespace
 
-int all_processors() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+int all_processors() { return kHasThreads ? static_cast<int>(std::max(1u, std::thread::hardware_concurrency())) : 1; }
 
 void on_threads(int count, const std::function<void(int)>& work) {
   std::mutex mutex;

@@ -1,11 +1,10 @@
 #include "renderer/gl/device.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/gl/gl.h"
 #include "renderer/gl/pass_state.h"
 #include "renderer/gl/program.h"
 #include "renderer/gl/texel_buffer.h"
@@ -30,21 +29,21 @@ bool is_software(const std::string& renderer) {
 // Those of GLES that are extensions of the same calls.
 FeatureSet es_features() {
   FeatureSet set;
-  if (epoxy_gl_version() >= 32 || epoxy_has_gl_extension("GL_KHR_debug")) set.add(Feature::debug_labels);
-  if (epoxy_has_gl_extension("GL_EXT_depth_clamp")) set.add(Feature::depth_clamp);
-  if (epoxy_has_gl_extension("GL_EXT_clip_control")) set.add(Feature::clip_control);
+  if (gl_version() >= 32 || has_extension("GL_KHR_debug")) set.add(Feature::debug_labels);
+  if (has_extension("GL_EXT_depth_clamp")) set.add(Feature::depth_clamp);
+  if (has_extension("GL_EXT_clip_control")) set.add(Feature::clip_control);
   return set;
 }
 
 FeatureSet core_features(int time_query_bits) {
-  const bool gl43 = epoxy_gl_version() >= 43, gl45 = epoxy_gl_version() >= 45;
+  const bool gl43 = gl_version() >= 43, gl45 = gl_version() >= 45;
   FeatureSet set;
-  if (gl43 || epoxy_has_gl_extension("GL_KHR_debug")) set.add(Feature::debug_labels);
+  if (gl43 || has_extension("GL_KHR_debug")) set.add(Feature::debug_labels);
   if (time_query_bits > 0) set.add(Feature::timer_query);
-  if (epoxy_gl_version() >= 32 || epoxy_has_gl_extension("GL_ARB_depth_clamp")) set.add(Feature::depth_clamp);
-  if (gl45 || epoxy_has_gl_extension("GL_ARB_clip_control")) set.add(Feature::clip_control);
-  if (gl43) set.add(Feature::compute);                           // our compute shaders are GLSL 4.30
-  if (epoxy_gl_version() >= 40) set.add(Feature::tessellation);  // with transform feedback objects
+  if (gl_version() >= 32 || has_extension("GL_ARB_depth_clamp")) set.add(Feature::depth_clamp);
+  if (gl45 || has_extension("GL_ARB_clip_control")) set.add(Feature::clip_control);
+  if (gl43) set.add(Feature::compute);                     // our compute shaders are GLSL 4.30
+  if (gl_version() >= 40) set.add(Feature::tessellation);  // with transform feedback objects
   return set;
 }
 
@@ -99,12 +98,12 @@ Device probe_device(FeatureSet without) {
   Device d;
   d.vendor = text(GL_VENDOR), d.renderer = text(GL_RENDERER), d.version = text(GL_VERSION);
   d.glsl = text(GL_SHADING_LANGUAGE_VERSION);
-  d.api = epoxy_is_desktop_gl() ? Api::core : Api::es3;
+  d.api = is_desktop_gl() ? Api::core : Api::es3;
   const bool es = d.api == Api::es3;
-  if (epoxy_gl_version() < (es ? 30 : 33))
+  if (gl_version() < (es ? 30 : 33))
     throw Error(ExitCode::no_gl, "OpenGL", fmt::format("'{}' is older than {}", d.version, es ? "ES 3.0" : "3.3"),
                 "install a newer driver, or Mesa's software driver (libgl1-mesa-dri)");
-  if (es && !epoxy_has_gl_extension("GL_EXT_color_buffer_float"))
+  if (es && !has_extension("GL_EXT_color_buffer_float"))
     throw Error(ExitCode::no_gl, "OpenGL ES", "this driver does not draw into floats (EXT_color_buffer_float)",
                 "take another driver or browser: G-buffers and sums of light need them");
   d.software = is_software(d.renderer);

@@ -1,10 +1,10 @@
 #pragma once
 // GL's own errors, asked for where a call may fail for want of memory or by a limit, and said in words.
-#include <epoxy/gl.h>
-
 #include <functional>
 #include <string>
 #include <string_view>
+
+#include "renderer/gl/gl.h"
 
 namespace gbl::gl {
 

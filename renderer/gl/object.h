@@ -1,9 +1,9 @@
 #pragma once
 // GL objects: move-only, typed, counted; 0 is "none". What is alive is counted, so that a test can see a leak.
-#include <epoxy/gl.h>
-
 #include <cstddef>
 #include <utility>
+
+#include "renderer/gl/gl.h"
 
 namespace gbl::gl {
 

@@ -1,8 +1,7 @@
 #include "renderer/gl/pass_state.h"
 
-#include <epoxy/gl.h>
-
 #include "renderer/gl/device.h"
+#include "renderer/gl/gl.h"
 #include "renderer/gl/texture_units.h"
 
 namespace gbl::gl {

@@ -6,6 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gl/device.h"
+#include "renderer/gl/gl.h"
 #include "renderer/gl/gl_error.h"
 #include "renderer/gl/transfer.h"
 
@@ -42,15 +43,6 @@ std::vector<Value> read_now(const Texture& t, GLenum channels, GLenum type) {
   attempt({t.label, "the read-back", kReadAgain},
           [&] { glReadPixels(0, 0, t.size.x, t.size.y, channels, type, pixels.data()); });
   return pixels;
-}
-
-// The state of glClientWaitSync; with `wait` never "not yet", however slow the frame.
-GLenum state_of(GLsync fence, bool wait) {
-  constexpr GLuint64 kOneSecondNs = 1'000'000'000;
-  GLenum state = GL_TIMEOUT_EXPIRED;
-  do state = glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? kOneSecondNs : 0);
-  while (wait && state == GL_TIMEOUT_EXPIRED);
-  return state;
 }
 
 }  // namespace
@@ -101,10 +93,7 @@ const std::vector<std::byte>* AsyncBytes::take(bool wait) {
   drop();
   if (state == GL_WAIT_FAILED) fail("waiting for the read-back");
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
-  const void* mapped =
-      glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(data_.size()), GL_MAP_READ_BIT);
-  if (mapped) std::memcpy(data_.data(), mapped, data_.size());
-  const bool whole = mapped && glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  const bool whole = read_bound_buffer(GL_PIXEL_PACK_BUFFER, data_.data(), data_.size());
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   if (!whole) fail("mapping the read-back");
   return &data_;

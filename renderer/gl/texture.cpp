@@ -1,11 +1,13 @@
 #include "renderer/gl/texture.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <string>
 
 #include "renderer/base/error.h"
 #include "renderer/base/size_text.h"
 #include "renderer/gl/device.h"
+#include "renderer/gl/gl.h"
 #include "renderer/gl/gl_error.h"
 
 namespace gbl::gl {
@@ -90,6 +92,14 @@ void magnify_squares(const Texture& t, bool squares) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, squares ? GL_NEAREST : GL_LINEAR);
 }
 
+// Else half floats stand for them: eleven bits and more where it is dark.
+static bool has_16_bits() { return device().api == Api::core || has_extension("GL_EXT_texture_norm16"); }
+static std::vector<float> shares_of(const ImageDesc& d) {
+  std::vector<float> out(4u * static_cast<size_t>(d.size.x) * static_cast<size_t>(d.size.y));
+  std::transform(d.rgba16, d.rgba16 + out.size(), out.begin(), [](uint16_t word) { return float(word) / 65535; });
+  return out;
+}
+
 Texture make_image(const ImageDesc& d) {
   Texture t{Object<Kind::texture>::make(), d.size, Format::rgba8, std::string(d.label)};
   glActiveTexture(GL_TEXTURE0);
@@ -97,12 +107,17 @@ Texture make_image(const ImageDesc& d) {
   state_pixel_storage();
   set_sampling(kFiltering[static_cast<int>(d.min)], kFiltering[static_cast<int>(d.mag)],
                kAddress[static_cast<int>(d.address_u)], kAddress[static_cast<int>(d.address_v)]);
-  const GLint format = d.rgba16 ? GL_RGBA16 : d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+  const bool as_floats = d.rgba16 && !has_16_bits();
+  const std::vector<float> floats = as_floats ? shares_of(d) : std::vector<float>();
+  const GLint format = as_floats ? GL_RGBA16F : d.rgba16 ? GL_RGBA16 : d.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
   const char* name = d.rgba16 ? "RGBA16" : d.srgb ? "sRGB8" : "RGBA8";
   attempt({d.label, asked("an image", d.size, name, d.rgba16 ? 8 : 4), "make the image smaller"}, [&] {
-    const void* texels = d.rgba16 ? d.rgba16 : d.rgba;
+    const void* texels = as_floats ? floats.data() : d.rgba16 ? static_cast<const void*>(d.rgba16) : d.rgba;
     glTexImage2D(GL_TEXTURE_2D, 0, format, d.size.x, d.size.y, 0, GL_RGBA,
-                 d.rgba16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_BYTE, texels);
+                 as_floats  ? GL_FLOAT
+                 : d.rgba16 ? GL_UNSIGNED_SHORT
+                            : GL_UNSIGNED_BYTE,
+                 texels);
     if (d.min != Filtering::nearest && d.min != Filtering::linear) glGenerateMipmap(GL_TEXTURE_2D);
   });
   set_label(GL_TEXTURE, t.id(), d.label);

@@ -63,7 +63,7 @@ Strided elements(const Document& document, int view_index, uint64_t offset, uint
   const std::span<const uint8_t> view = view_bytes(document, view_index);
   const uint64_t given = document.views[static_cast<size_t>(view_index)].stride;
   const uint64_t stride = strided && given > 0 ? given : bytes;
-  if (count == 0) return {view.data(), stride};
+  if (count == 0) return {view.data(), static_cast<size_t>(stride)};
   const bool inside =
       offset <= view.size() && bytes <= view.size() - offset && (count - 1) <= (view.size() - offset - bytes) / stride;
   if (!inside)

@@ -1,0 +1,38 @@
+#pragma once
+// What the system of windows does: a desktop's (window_system.cpp) or a browser's (web/window_system.cpp).
+#include <functional>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "renderer/gl/device.h"
+
+struct GLFWwindow;
+
+namespace gbl {
+
+void ask_for_context(gl::Api);  // of the next window
+void name_lost_displays();      // the program ends in its own words when its display goes
+
+// Until the first event, at latest so long; was there any?
+bool wait_for_events(double seconds);
+// step() until it is false. In a browser a step is a frame of the page, and this does not return.
+void each_frame(std::function<bool()> step);
+
+std::string printed_name(int key, int scancode);  // what this keyboard prints on it, lower case; empty: nothing
+float content_scale_of(GLFWwindow*);              // how much larger than usual its monitor wants things; in quarters
+void fit_monitor(GLFWwindow*);                    // no larger than there is room for
+
+void turn_wheel(GLFWwindow*);  // after ImGui's back-end: away from the hand is up
+// A file that somebody asked to be saved: a page has no folder, so it is given as a download.
+void hand_over(const std::string& file);
+
+class FullScreen {
+ public:
+  bool on(GLFWwindow*) const;
+  void toggle(GLFWwindow*);  // and back to where it was; Error where there is no monitor
+
+ private:
+  glm::ivec2 place_{0}, size_{0};  // of the window, while it fills the screen
+};
+
+}  // namespace gbl
