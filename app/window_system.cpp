@@ -62,7 +62,7 @@ bool wait_for_events(double seconds) {
   return glfwGetTime() - before < seconds * 0.9;
 }
 
-void each_frame(std::function<bool()> step) {
+void each_frame(const std::function<bool()>& step) {
   while (step()) continue;
 }
 

@@ -16,7 +16,7 @@ void name_lost_displays();      // the program ends in its own words when its di
 // Until the first event, at latest so long; was there any?
 bool wait_for_events(double seconds);
 // step() until it is false. In a browser a step is a frame of the page, and this does not return.
-void each_frame(std::function<bool()> step);
+void each_frame(const std::function<bool()>& step);
 
 std::string printed_name(int key, int scancode);  // what this keyboard prints on it, lower case; empty: nothing
 float content_scale_of(GLFWwindow*);              // how much larger than usual its monitor wants things; in quarters

@@ -36,8 +36,8 @@ static void frame() {
   }
 }
 
-void each_frame(std::function<bool()> step) {
-  g_step = std::move(step);
+void each_frame(const std::function<bool()>& step) {
+  g_step = step;
   emscripten_set_main_loop(frame, 0, 1);
 }
 
