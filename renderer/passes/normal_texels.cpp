@@ -6,7 +6,6 @@
 #include "renderer/gl/readback.h"
 #include "renderer/gl/texture_units.h"
 #include "renderer/passes/canvas.h"
-#include "renderer/passes/frame_block.h"
 #include "renderer/passes/passes.h"
 #include "renderer/passes/programs.h"
 #include "renderer/passes/shapes.h"
@@ -22,9 +21,6 @@ void draw(const gl::Defines& defines, const char* declares, const char* result, 
   fragment.body +=
       std::string(declares) + "void main() {\n  ivec2 texel = ivec2(gl_FragCoord.xy);\n  result = " + result + ";\n}\n";
   const gl::Program program = gl::compile_program(gl::load_shader("fullscreen.vert", defines), fragment);
-  const gl::Buffer behind_block = gl::Buffer::make();  // none reads it, but WebGL wants one where a shader has a block
-  const shared::FrameBlock block{};
-  gl::write_uniform_block(behind_block, 0, &block, sizeof block);
   begin_drawing(to.framebuffer, to.texture.size, {});
   gl::bind_texture("source", from);
   glUseProgram(program.id());

@@ -12,8 +12,8 @@ struct NormalTexels {
   std::vector<glm::vec4> codes, decoded;  // one for each direction
 };
 
-// directions: unit vectors, w = 0, size.x * size.y of them. The encoding and its space are the settings'; for
-// normal.space=view a frame block must be bound. Needs a current context; waits for the GPU.
+// directions: unit vectors, w = 0, size.x * size.y of them. The encoding and its space are the settings'; a
+// frame block must be bound: normal.space=view reads it, and WebGL wants one in any case. Needs a current context; waits for the GPU.
 NormalTexels normals_through_gpu(const Settings&, std::span<const glm::vec4> directions, glm::ivec2 size);
 
 }  // namespace gbl
