@@ -49,7 +49,9 @@ void turn_wheel(GLFWwindow* window) {
 // clang-format off
 EM_JS(void, gbl_download, (const char* file), {
   const path = UTF8ToString(file), link = document.createElement('a');
+  FS.ignorePermissions = true;  // its files are written for their owner alone
   link.href = URL.createObjectURL(new Blob([FS.readFile(path)]));
+  FS.ignorePermissions = false;
   link.download = path.split('/').pop();
   document.body.dataset.saved = link.download;
   link.click();
