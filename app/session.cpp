@@ -24,6 +24,8 @@ Json to_json(const ui::Snapshot& s) {
   Settings settings = s.settings;
   if (is_file(settings.scene)) settings.scene = absolute(settings.scene);
   if (!settings.lights.rig.empty()) settings.lights.rig = absolute(settings.lights.rig);
+  // The next window runs what stands here, so what this one did not run is left out.
+  if (!may_run_layout_file(settings.layout_file)) settings.layout_file.clear();
   if (!settings.layout_file.empty()) settings.layout_file = absolute(settings.layout_file);
   Json json;
   json["large"] = s.large;

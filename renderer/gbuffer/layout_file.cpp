@@ -97,9 +97,15 @@ Allowed& allowed() {
   return g_allowed;
 }
 
+}  // namespace
+
+bool may_run_layout_file(std::string_view path_or_name) { return allowed().has(path_of_layout_file(path_or_name)); }
+
+namespace {
+
 const ReadLayout& asked_for(const std::string& name) {
   const std::string path(path_of_layout_file(name));
-  if (!allowed().has(path))
+  if (!may_run_layout_file(path))
     throw Error(ExitCode::bad_input, path, "is shader text, named by a file and asked for by nobody: it is not run",
                 fmt::format("look at it, then give --layout-file {}, or --run-layouts for all", path));
   return layout_named(name);

@@ -19,6 +19,7 @@ std::string name_unasked_layout_file(const std::string& path);
 // A layout is text for the GPU. What settings from elsewhere name does not run before somebody asks for its path.
 void allow_layout_file(std::string_view path_or_name);
 void allow_every_layout_file();
+bool may_run_layout_file(std::string_view path_or_name);
 
 bool names_content(std::string_view name);                    // is there a hash in it?
 std::string_view path_of_layout_file(std::string_view name);  // without the hash

@@ -15,14 +15,12 @@ namespace {
 
 bool es() { return device().api == Api::es3; }
 
-constexpr const char* kWholeTarget =
-    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
 constexpr const char* kCopiedDepth =
     "uniform sampler2D copied_depth;\nout vec4 depth;\n"
     "void main() { depth = vec4(texelFetch(copied_depth, ivec2(gl_FragCoord.xy), 0).r); }\n";
 
 Texture depths_of(const Texture& t) {
-  const Program program = compile_program({"depths.vert", kWholeTarget}, {"depths.frag", kCopiedDepth});
+  const Program program = compile_program(load_shader("fullscreen.vert", {}), {"depths.frag", kCopiedDepth});
   Texture depths = make_texture({.size = t.size, .format = Format::r32f, .label = t.label});
   const Framebuffer fbo = make_framebuffer({.colours = {&depths}, .label = t.label});
   const VertexArray none = make_empty_vertex_array();

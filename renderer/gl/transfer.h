@@ -27,7 +27,6 @@ class Readable {
  public:
   explicit Readable(const Texture&);
   const Texture& operator*() const { return depths_.name ? depths_ : of_; }
-  const Texture* operator->() const { return &**this; }
 
  private:
   const Texture& of_;

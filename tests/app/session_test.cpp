@@ -5,6 +5,7 @@
 
 #include "app/session_keeper.h"
 #include "app/start.h"
+#include "renderer/gbuffer/layout_file.h"
 #include "renderer/options/presets.h"
 #include "tests/disk_room.h"
 #include "tests/test_support.h"
@@ -37,6 +38,17 @@ TEST(Session, IsReadAsItWasWritten) {
   const Session s = some_session();
   EXPECT_EQ(parse_session(session_text(s), "session"), s);
   EXPECT_EQ(parse_session(session_text({}), "session"), Session{});
+}
+
+// The next window trusts its session, so nothing gets in that this one was not asked to run.
+TEST(Session, ALayoutFileThatNobodyAskedForIsNotKept) {
+  Session s = some_session();
+  s.last->settings.layout_file = "/elsewhere/sent.glsl@0123456789abcdef";
+  s.bookmarks[0]->settings.layout_file = "/here/mine.glsl@0123456789abcdef";
+  allow_layout_file("/here/mine.glsl");
+  const Session again = parse_session(session_text(s), "session");
+  EXPECT_EQ(again.last->settings.layout_file, "");
+  EXPECT_EQ(again.bookmarks[0]->settings.layout_file, "/here/mine.glsl@0123456789abcdef");
 }
 
 TEST(Session, FilesAreWrittenAsAbsolutePaths) {

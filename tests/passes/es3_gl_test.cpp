@@ -43,8 +43,8 @@ INSTANTIATE_TEST_SUITE_P(All, Es3Presets, testing::ValuesIn(names_of_presets()),
   return name;
 });
 
-// What presets leave out, and what GLES does in another way: each light method, planes that mirror, maps of shadows, lights of all
-// kinds in long tables, samples, stored depths that are read.
+// What presets leave out, and what GLES does in another way: each light method, planes that mirror, maps of shadows, a table of
+// many rows, samples, stored depths that are read.
 TEST(Es3, WhateverElseIsDrawnGivesTheBitsOfCore) {
   std::vector<std::string> patches;
   for (const ValueRow& r : rows<LightMethod>())
