@@ -11,6 +11,8 @@
 namespace gbl {
 namespace {
 
+constexpr const char* kTitle = "G-Buffer Lab: see every buffer of a deferred renderer, and what each choice costs.";
+
 // A number, read by the rule of all options.
 template <class Value>
 CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<Value>& into, const std::string& help,
@@ -79,6 +81,7 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     add_number(app, "y", a.pixel_y, "row of the pixel, from 0 at the top", 0, kMost)->required();
   }
   if (command == "view") {
+    app.add_option("file", a.file, "a model, settings, a rig, or a picture that this program wrote: as if dropped");
     app.add_flag("--present", a.present,
                  "the picture fills the window, one caption in large type; Ctrl+Shift+P: everything");
     app.add_option("--lesson", a.lesson, "open this lesson (list lessons)");
@@ -185,11 +188,13 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     CLI::Option* what = app.add_option("what", a.what, "what to list; `list` alone names the choices");
     app.add_flag("--md", a.markdown, "as a Markdown table")->needs(what)->excludes(json);
     app.add_option("--docs", a.docs, "write the pages of docs/tables to this folder")->excludes(what);
+    app.add_option("--manual", a.manual, "write a man page and bash's completions to this folder")->excludes(what);
   }
 }
 
 // Help of every command in one place: rows of commands().
 void describe(CLI::App& app, Arguments& a) {
+  app.set_version_flag("--version", "gbufferlab " GBL_VERSION);
   app.set_help_all_flag("--help-all", "help of all commands");
   add_settings(app, a);  // without a command it draws, too
   add_without(app, a);
@@ -226,12 +231,30 @@ void refuse_empty_values(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) refuse_empty_values(*command);
 }
 
+CommandText text_of(const CLI::App& app) {
+  CommandText out{app.get_parent() ? app.get_name() : "", app.get_description(), {}};
+  for (const CLI::Option* o : app.get_options()) {
+    const bool flag = o->get_items_expected_max() == 0;
+    const std::string type = flag ? "" : o->get_option_text().empty() ? o->get_type_name() : o->get_option_text();
+    out.options.push_back({o->get_name(o->get_positional(), true), type, o->get_description()});
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<CommandText> command_texts() {
+  Arguments a;
+  CLI::App app(kTitle, "gbufferlab");
+  describe(app, a);
+  std::vector<CommandText> out{text_of(app)};
+  for (const CLI::App* command : app.get_subcommands(nullptr)) out.push_back(text_of(*command));
+  return out;
+}
 
 std::optional<Arguments> parse_arguments(int argc, const char* const* argv) {
   Arguments a;
-  CLI::App app("G-Buffer Lab: see every buffer of a deferred renderer, and what each choice costs.", "gbufferlab");
-  app.set_version_flag("--version", "gbufferlab " GBL_VERSION);
+  CLI::App app(kTitle, "gbufferlab");
   app.require_subcommand(0, 1);
   describe(app, a);
   try {

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/docs_pages.h"
 #include "app/headless.h"
+#include "app/manual.h"
 #include "renderer/base/json.h"
 #include "renderer/exercises/exercise.h"
 #include "renderer/gbuffer/normal_encoding.h"
@@ -359,6 +360,10 @@ std::string list_markdown(const std::string& what, std::span<const std::string_v
 ExitCode run_list(const Arguments& a) {
   if (a.docs) {
     write_docs(*a.docs);
+    return ExitCode::done;
+  }
+  if (a.manual) {
+    write_manual(*a.manual);
     return ExitCode::done;
   }
   const List& list = list_called(a.what);

@@ -28,6 +28,7 @@ struct Arguments {
   std::vector<std::string> pitfalls;  // by id; none: all
   bool list = false;                  // of `pitfalls` and `figures`: only what there is
 
+  std::optional<std::string> file;  // of `view`: a model, a state or a rig, as what it is
   std::optional<std::string> scene, preset, state, rig, camera, size, layout_file;
   std::optional<int> lights;
   std::optional<unsigned> seed;
@@ -67,6 +68,7 @@ struct Arguments {
   bool micro = false;                           // … what one pair costs
   std::vector<std::string> against;             // … the same with these options, in turn
   std::optional<std::filesystem::path> docs;    // of `list`: the folder of the documents' tables
+  std::optional<std::filesystem::path> manual;  // … of a man page and the shell's completions
   std::optional<std::filesystem::path> report;  // of `info`
   std::vector<std::filesystem::path> reports;   // of `info`: such files as a table
 };
@@ -110,6 +112,16 @@ ExitCode run_figures(const Arguments&);
 ExitCode run_handout(const Arguments&);
 ExitCode run_exercise(const Arguments&);
 ExitCode run_list(const Arguments&);
+// The grammar of the command line, for the manual.
+struct OptionText {
+  std::string names, type, help;  // "-o,--output", "TEXT", …; names without a dash: a word of its own
+};
+struct CommandText {
+  std::string name, help;  // no name: what stands before any command
+  std::vector<OptionText> options;
+};
+std::vector<CommandText> command_texts();
+
 // As `list WHAT --md` prints it; `columns` chooses some of them.
 std::string list_markdown(const std::string& what, std::span<const std::string_view> columns = {});
 ExitCode run_info(const Arguments&);

@@ -123,11 +123,20 @@ FileOpening scene_opening(const std::string& name) {
 }
 
 FileOpening opening_of(const std::string& file, const DeviceLimits& limits) {
+  switch (kind_of_file(file)) {
+    case FileKind::model: return scene_opening(file);
+    case FileKind::state: return state(file, limits);
+    case FileKind::rig: break;
+  }
+  return rig(file);
+}
+
+FileKind kind_of_file(const std::string& file) {
   require_file(file);
   const std::string ending = ending_of(file);
-  if (ending == ".gltf" || ending == ".glb") return scene_opening(file);
-  if (is_png(file)) return state(file, limits);
-  if (ending == ".json") return is_rig(file) ? rig(file) : state(file, limits);
+  if (ending == ".gltf" || ending == ".glb") return FileKind::model;
+  if (is_png(file)) return FileKind::state;
+  if (ending == ".json") return is_rig(file) ? FileKind::rig : FileKind::state;
   throw Error(ExitCode::bad_input, file, "is nothing that this program opens",
               "give a model (.gltf, .glb), settings or a rig (.json), or a picture with settings in it (.png)");
 }

@@ -12,6 +12,10 @@ namespace gbl {
 // Settings from a JSON file, or from a PNG that carries them. Error(bad_input)
 Settings read_state(const std::string& file);
 
+// What it is by its name and, of JSON, by what is in it. Error(bad_input) where this program opens nothing of the kind.
+enum class FileKind { model, state, rig };
+FileKind kind_of_file(const std::string& file);
+
 // Is it called like something that can be opened?
 bool has_known_ending(const std::string& file);
 

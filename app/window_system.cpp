@@ -62,11 +62,10 @@ bool wait_for_events(double seconds) {
   return glfwGetTime() - before < seconds * 0.9;
 }
 
-void each_frame(const std::function<bool()>& step) {
-  while (step()) continue;
-}
-
-void turn_wheel(GLFWwindow*) {}
+void adjust_imgui(GLFWwindow*) {}
+bool wants_less_motion() { return false; }
+void show_in_address(const Settings&) {}
+void say_in_words(const std::string&) {}
 void hand_over(const std::string&) {}
 
 std::string printed_name(int key, int scancode) {

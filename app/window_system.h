@@ -1,10 +1,10 @@
 #pragma once
 // What the system of windows does: a desktop's (window_system.cpp) or a browser's (web/window_system.cpp).
-#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 
 #include "renderer/gl/device.h"
+#include "renderer/options/settings.h"
 
 struct GLFWwindow;
 
@@ -13,16 +13,20 @@ namespace gbl {
 void ask_for_context(gl::Api);  // of the next window
 void name_lost_displays();      // the program ends in its own words when its display goes
 
-// Until the first event, at latest so long; was there any?
+// Until the first event, at latest so long; was there any? A browser says by itself when a frame is due.
 bool wait_for_events(double seconds);
-// step() until it is false. In a browser a step is a frame of the page, and this does not return.
-void each_frame(const std::function<bool()>& step);
 
 std::string printed_name(int key, int scancode);  // what this keyboard prints on it, lower case; empty: nothing
 float content_scale_of(GLFWwindow*);              // how much larger than usual its monitor wants things; in quarters
 void fit_monitor(GLFWwindow*);                    // no larger than there is room for
 
-void turn_wheel(GLFWwindow*);  // after ImGui's back-end: away from the hand is up
+void adjust_imgui(GLFWwindow*);  // after ImGui's back-end, where it takes another system for granted
+
+bool wants_less_motion();  // whoever uses this system
+
+// Beside the window: a page's address, which brings these settings back, and its words for who does not see the picture.
+void show_in_address(const Settings&);
+void say_in_words(const std::string&);
 // A file that somebody asked to be saved: a page has no folder, so it is given as a download.
 void hand_over(const std::string& file);
 

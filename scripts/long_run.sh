@@ -12,7 +12,7 @@ if ! [[ $minutes =~ ^[0-9]+$ ]] || ((minutes == 0)); then
   say "not a number of minutes: '$minutes'"
   exit 2
 fi
-install run test
+install build run test
 configure ci
 for program in gbufferlab test_app_slow test_ui_slow; do build ci "$program"; done
 export XDG_STATE_HOME=$root/build/ci/tests/state

@@ -4,7 +4,7 @@
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 set -euo pipefail
 
-install run test ci
+install build run test ci
 configure ci
 cd "$root"
 database=build/ci/tidy

@@ -206,7 +206,7 @@ void advance_motion(FrameContext& f) {
     f.settings.camera = moved(f.settings.camera, motion, speed_in(f.input.scene.bounds) * dt);
   }
   if (!s.glide) return;
-  const double t = (f.input.seconds - s.glide->start) / kGlideSeconds;
+  const double t = f.input.still ? 1 : (f.input.seconds - s.glide->start) / kGlideSeconds;
   f.settings.camera = between(s.glide->from, s.glide->to, std::clamp(t, 0.0, 1.0));
   if (t >= 1) s.glide.reset();
 }

@@ -149,10 +149,14 @@ void lights_row(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) 
   ImGui::PopStyleVar();
 }
 
-void options_button(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
+// What has no room in the column: all options, and all keys for those who have none.
+void list_buttons(FrameContext& f, const Box& column, ImVec2& at, const Sizes& z) {
   const FontScope font(z.px);
+  const float width = std::floor((column.width() - z.gap) / 2);
   ImGui::SetCursorScreenPos(at);
-  if (ImGui::Button("all options   O", {column.width(), z.widget})) press_panel(f, panel("options"), {});
+  if (ImGui::Button("all options   O", {width, z.widget})) press_panel(f, panel("options"), {});
+  ImGui::SetCursorScreenPos({column.max.x - width, at.y});
+  if (ImGui::Button("all keys   F1", {width, z.widget})) press_panel(f, panel("help"), {});
   at.y += z.widget + z.gap;
 }
 
@@ -180,7 +184,7 @@ void draw_control_column(FrameContext& f) {
   choice_row(f, column, at, z, "lights.cull");
   lights_row(f, column, at, z);
   at.y += z.gap;
-  options_button(f, column, at, z);
+  list_buttons(f, column, at, z);
   draw_numbers(f, column, at, ns, z);
 }
 

@@ -6,6 +6,7 @@
 #include "renderer/base/made_by.h"
 #include "renderer/base/size_text.h"
 #include "renderer/options/presets.h"
+#include "ui/in_words.h"
 #include "ui/overlay_legends.h"
 #include "ui/state.h"
 #include "ui/style.h"
@@ -30,18 +31,6 @@ std::string method_in_words(const FrameReport& r) {
 View saved_view(const FrameContext& f) {
   const std::optional<Box>& chosen = f.layout.panels[static_cast<size_t>(f.chosen())];
   return chosen && !covered(f, *chosen) ? f.chosen() : f.layout.main;
-}
-
-// What is seen of the panel: the view, and how it is looked at.
-std::string shown_in_words(const FrameContext& f, View v) {
-  std::string text = fmt::format("{}: {}", row(v).label, row(v).sentence);
-  const ViewLook look = look_of(f.settings.view.looks, row(v).id);
-  if (!look.plain()) text += fmt::format(" Looked at as {}.", text_of(LookOf{row(v).id, look}));
-  const Zoom zoom = zoom_of(f, v);
-  if (!zoom.whole())
-    text += fmt::format(" {:.3g} times as large, about {:.3g} across and {:.3g} down.", zoom.scale, zoom.centre.x,
-                        zoom.centre.y);
-  return text;
 }
 
 std::string overlays_in_words(const FrameContext& f, View v) {

@@ -166,7 +166,7 @@ std::vector<KeyRow> key_rows() {
   for (const ViewRow& v : views())
     if (*v.key)
       rows.push_back({v.key, fmt::format("view.{}", v.id), fmt::format("{} alone; again: all views", v.label)});
-  for (const KeyCommand& c : kCommands) rows.push_back({c.key, c.id, c.help});
+  for (const KeyCommand& c : kCommands) rows.push_back({c.key, c.id, c.help, c.run != nullptr});
   for (const Panel* p : panels()) rows.push_back({p->key, p->id, help_of(*p)});
   std::stable_sort(rows.begin(), rows.end(),
                    [](const KeyRow& a, const KeyRow& b) { return function_key(a.key) < function_key(b.key); });
@@ -174,7 +174,7 @@ std::vector<KeyRow> key_rows() {
 }
 
 std::vector<KeyRow> mouse_rows() {
-  return {
+  std::vector<KeyRow> rows = {
       {"move", "mouse.read", "read the pixel: the status line, and the same place in every panel"},
       {"click", "mouse.hold", "hold the pixel and choose the view; the same pixel again, or a right click, lets go"},
       {"double", "mouse.enlarge", "a double click: the view alone; again, or 0: all views"},
@@ -184,6 +184,8 @@ std::vector<KeyRow> mouse_rows() {
       {"middle", "mouse.pan", "drag with the middle button: move the picture"},
       {"wheel", "mouse.zoom", "zoom where the mouse is, in all panels; Shift: in this one alone"},
       {"right", "mouse.solo", "on R, G or B: that channel alone; again: all"}};
+  for (KeyRow& r : rows) r.can_choose = false;
+  return rows;
 }
 
 std::vector<KeyEvent> presses_of(const KeyRow& row) {

@@ -77,6 +77,8 @@ struct State {
   std::string field_key;     // Tab, Up or Down, likewise
   void type_into(const char* id) { field = id, focus_field = true; }
 
+  std::vector<KeyEvent> chosen;  // by a click in F1's list: pressed in the next frame
+
   History history;
   Comparison comparison;
   Bookmarks bookmarks;

@@ -11,9 +11,11 @@ namespace {
 constexpr float kFontSizes[] = {9, 10, 11, 12, 13, 14, 15, 16, 18, 20, 22, 24, 27, 30, 34, 40, 48};
 
 // Beside Latin: Greek for formulas, dashes and …, super- and subscripts, arrows, mathematical signs, ⇧ ⚠ ✓ ▶.
-constexpr ImWchar kGlyphs[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2027, 0x2032, 0x2033, 0x2070,
-                               0x209C, 0x2190, 0x2195, 0x21E7, 0x21E7, 0x2200, 0x2265, 0x22C5, 0x22C5,
-                               0x25A0, 0x25CF, 0x26A0, 0x26A0, 0x2713, 0x2717, 0};
+constexpr ImWchar kGlyphs[] = {
+#define GLYPHS(first, last) first, last,
+#include "ui/glyphs.inc"
+#undef GLYPHS
+    0};
 
 struct PassLook {
   Pass pass;

@@ -1,8 +1,10 @@
 #include "ui/ui.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "renderer/frame/resolve.h"
+#include "ui/in_words.h"
 #include "ui/keys.h"
 #include "ui/presenting.h"
 #include "ui/state.h"
@@ -47,6 +49,7 @@ void take_input(FrameContext& f, const std::vector<KeyEvent>& keys) {
   if (f.state.caption && f.input.seconds >= f.state.caption->until) f.state.caption.reset();
   if (!f.state.focus_field || f.state.field.empty()) f.state.entered = false;  // else the field has not seen it yet
   f.state.field_key.clear();
+  for (const KeyEvent& e : std::exchange(f.state.chosen, {})) dispatch(f, e);
   for (const KeyEvent& e : keys) dispatch(f, e);
   advance_motion(f);
   f.type = type_of(f.state);
@@ -98,6 +101,7 @@ Requests Ui::draw(Settings& settings, const Input& input, const std::vector<KeyE
   draw_panels(f);
   draw_notices(f);
   draw_reticle(f);
+  requests.in_words = in_words(f);
   return requests;
 }
 

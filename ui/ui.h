@@ -69,6 +69,7 @@ struct Input {
   bool message_is_error = false;
   std::string banner;  // e.g. "predicted 8.3 s a frame: drawn at 400x225"; empty = none
   bool full_screen = false;
+  bool still = false;             // nothing glides: whoever looks has asked the system for less motion
   double seconds = 0;             // a clock for motion, not part of any picture
   std::vector<std::string> held;  // keys that are down now, named as in KeyEvent; "Shift" and "Ctrl" among them
 };
@@ -112,6 +113,7 @@ struct Requests {
   bool magnified = false;                  // pixels are shown as squares
   std::array<bool, kViewCount> visible{};  // views that the next frame must draw
   glm::ivec2 picture_size{0};              // of the largest picture on screen, in screen pixels
+  std::string in_words;                    // all that is shown, for who does not see it
   std::optional<double> wake_in;           // seconds until the window changes by itself (a caption ends)
   ChartRequest chart;
   StabilityRequest stability;
@@ -166,6 +168,7 @@ struct KeyRow {
   std::string key;  // as printed: "C", "[ ]", "Shift ,"
   std::string id;   // "lights.cull", or the command's or the panel's id
   std::string help;
+  bool can_choose = true;  // by a click in the list; else it is held, or no key
 };
 // For F1 and `list keys`: the options' keys, the views', the commands' and the panels', F1 … F12 at the end.
 std::vector<KeyRow> key_rows();

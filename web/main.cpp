@@ -1,10 +1,14 @@
-// The page: the window of the desktop, in a browser. ?preset=, ?scene=, ?lights=, ?lesson=, ?pitfall= say what it starts with.
+// The page: the window of the desktop, in a browser. What it starts with stands in its address: ?preset=, ?scene=, ?lights=,
+// ?lesson=, ?pitfall=, ?present, or whole settings behind #, which page.js leaves in a file.
 #include <cstdio>
 #include <cstdlib>
 #include <emscripten.h>
+#include <filesystem>
 #include <fmt/format.h>
+#include <functional>
+#include <memory>
 
-#include "app/commands.h"
+#include "app/lab_window.h"
 #include "renderer/base/number.h"
 
 // clang-format off
@@ -14,6 +18,7 @@ EM_JS(char*, gbl_asked, (const char* name), {
   stringToUTF8(value, to, bytes);
   return to;
 });
+EM_JS(void, gbl_frame_drawn, (), { Module['frameDrawn'](); });
 // clang-format on
 
 namespace gbl {
@@ -21,6 +26,8 @@ namespace gbl {
 bool display_present() { return true; }
 
 namespace {
+
+constexpr const char* kLink = "/link.json";
 
 std::string asked(const char* name) {
   char* text = gbl_asked(name);
@@ -37,8 +44,13 @@ std::optional<std::string> if_asked(const char* name) {
 Arguments arguments_of_address() {
   Arguments a;
   a.command = "view", a.gl = "es3", a.fresh = true;
-  a.preset = if_asked("preset"), a.scene = if_asked("scene");
+  a.present = !asked("present").empty();
   a.lesson = asked("lesson"), a.pitfall = asked("pitfall");
+  if (std::filesystem::exists(kLink)) {  // says everything
+    a.state = kLink;
+    return a;
+  }
+  a.preset = if_asked("preset"), a.scene = if_asked("scene");
   if (const auto lights = if_asked("lights")) {
     const auto count = whole_decimal(*lights);
     if (!count || *count < 0 || *count > kMaxLights)
@@ -49,14 +61,51 @@ Arguments arguments_of_address() {
   return a;
 }
 
+std::unique_ptr<LabWindow> g_window;
+
+// What ends the program on a desktop ends the page: said on it, and the last picture stays.
+void guarded(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::exception& e) {
+    emscripten_cancel_main_loop();
+    std::fprintf(stderr, "gbufferlab: %s\n", e.what());
+  }
+}
+
+// What the address asks for; where that is wrong it is said, and the lab opens as it opens without.
+std::unique_ptr<LabWindow> opened() {
+  try {
+    return std::make_unique<LabWindow>(arguments_of_address());
+  } catch (const Error& e) {
+    std::fprintf(stderr, "gbufferlab: %s\n", e.what());
+    Arguments plain;
+    plain.command = "view", plain.gl = "es3", plain.fresh = true;
+    return std::make_unique<LabWindow>(plain);
+  }
+}
+
+void frame() {
+  guarded([] {
+    if (!g_window->step()) emscripten_cancel_main_loop();
+    gbl_frame_drawn();
+  });
+}
+
 }  // namespace
 }  // namespace gbl
 
+// All of OpenGL made anew, where a browser has lost it.
+extern "C" EMSCRIPTEN_KEEPALIVE void page_begin() {
+  emscripten_cancel_main_loop();
+  gbl::guarded([] {
+    gbl::g_window.reset();
+    gbl::g_window = gbl::opened();
+    emscripten_set_main_loop(gbl::frame, 0, 0);
+  });
+}
+
 int main() {
-  try {
-    return static_cast<int>(gbl::run_view(gbl::arguments_of_address()));
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "gbufferlab: %s\n", e.what());
-    return 1;
-  }
+  page_begin();
+  return 0;
 }

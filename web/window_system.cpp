@@ -4,15 +4,15 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <cmath>
-#include <cstdio>
 #include <emscripten.h>
 #include <emscripten/html5.h>
-#include <exception>
+
+#include "renderer/options/settings_json.h"
 
 namespace gbl {
 namespace {
 
-std::function<bool()> g_step;
+GLFWwindow* g_window = nullptr;  // the page has one
 
 EM_BOOL resized(int, const EmscriptenUiEvent*, void* window) {
   fit_monitor(static_cast<GLFWwindow*>(window));
@@ -25,40 +25,25 @@ void ask_for_context(gl::Api) {}
 void name_lost_displays() {}
 bool wait_for_events(double) { return true; }
 
-// What ends the program on a desktop ends the page: said on it, and the last picture stays.
-static void frame() {
-  try {
-    if (!g_step()) emscripten_cancel_main_loop();
-    EM_ASM({ document.body.dataset.frames = 1 + Number(document.body.dataset.frames || 0); });
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "gbufferlab: %s\n", e.what());
-    emscripten_cancel_main_loop();
-  }
-}
-
-void each_frame(const std::function<bool()>& step) {
-  g_step = step;
-  emscripten_set_main_loop(frame, 0, 1);
-}
-
-// Emscripten's GLFW counts the other way.
-void turn_wheel(GLFWwindow* window) {
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { ImGui_ImplGlfw_ScrollCallback(w, -x, -y); });
-}
-
+// What page.js does for the program (makeLab's argument).
 // clang-format off
-EM_JS(void, gbl_download, (const char* file), {
-  const path = UTF8ToString(file), link = document.createElement('a');
-  FS.ignorePermissions = true;  // its files are written for their owner alone
-  link.href = URL.createObjectURL(new Blob([FS.readFile(path)]));
-  FS.ignorePermissions = false;
-  link.download = path.split('/').pop();
-  document.body.dataset.saved = link.download;
-  link.click();
-});
+EM_JS(void, gbl_download, (const char* file), { Module['download'](UTF8ToString(file)); });
+EM_JS(void, gbl_copy, (const char* text), { Module['copy'](UTF8ToString(text)); });
+EM_JS(void, gbl_address, (const char* state), { Module['showInAddress'](UTF8ToString(state)); });
+EM_JS(void, gbl_words, (const char* words), { Module['tell'](UTF8ToString(words)); });
+EM_JS(int, gbl_less_motion, (), { return matchMedia('(prefers-reduced-motion: reduce)').matches; });
 // clang-format on
 
+// Emscripten's GLFW counts a wheel the other way and has no clipboard.
+void adjust_imgui(GLFWwindow* window) {
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { ImGui_ImplGlfw_ScrollCallback(w, -x, -y); });
+  ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { gbl_copy(text); };
+}
+
 void hand_over(const std::string& file) { gbl_download(file.c_str()); }
+bool wants_less_motion() { return gbl_less_motion() != 0; }
+void show_in_address(const Settings& s) { gbl_address(settings_link(s).c_str()); }
+void say_in_words(const std::string& words) { gbl_words(words.c_str()); }
 
 std::string printed_name(int key, int) {
   if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return std::string(1, static_cast<char>('a' + key - GLFW_KEY_A));
@@ -69,11 +54,15 @@ float content_scale_of(GLFWwindow*) {
   return static_cast<float>(std::round(emscripten_get_device_pixel_ratio() * 4) / 4);
 }
 
-// As large as the page is.
+// As large as the page is, in the monitor's own pixels.
 void fit_monitor(GLFWwindow* window) {
+  g_window = window;
   double width = 0, height = 0;
   emscripten_get_element_css_size("#canvas", &width, &height);
-  if (width > 0 && height > 0) glfwSetWindowSize(window, static_cast<int>(width), static_cast<int>(height));
+  const double scale = emscripten_get_device_pixel_ratio();
+  if (width > 0 && height > 0)
+    emscripten_set_canvas_size(static_cast<int>(std::lround(width * scale)),
+                               static_cast<int>(std::lround(height * scale)));
   emscripten_set_resize_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, window, EM_FALSE, resized);
 }
 
@@ -89,3 +78,11 @@ void FullScreen::toggle(GLFWwindow* window) {
 }
 
 }  // namespace gbl
+
+// A file that was given to the page, as if dropped on a window.
+extern "C" EMSCRIPTEN_KEEPALIVE void page_open(const char* file) {
+  if (!gbl::g_window) return;
+  const GLFWdropfun drop = glfwSetDropCallback(gbl::g_window, nullptr);
+  glfwSetDropCallback(gbl::g_window, drop);
+  drop(gbl::g_window, 1, &file);
+}

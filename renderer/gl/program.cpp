@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
+#include <cstdio>
 #include <fmt/format.h>
-#include <regex>
 #include <sstream>
 
 #include "renderer/base/error.h"
@@ -54,18 +55,37 @@ const char* prelude_of(Kind stage) {
   }
 }
 
+// The names in a text, in their order.
+std::vector<std::string> names_in(std::string_view text) {
+  const auto begins = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; };
+  const auto goes_on = [&](char c) { return begins(c) || (c >= '0' && c <= '9'); };
+  std::vector<std::string> names;
+  for (size_t i = 0; i < text.size();) {
+    size_t end = i;
+    while (end < text.size() && goes_on(text[end])) ++end;
+    if (begins(text[i])) names.emplace_back(text.substr(i, end - i));
+    i = std::max(end, i + 1);
+  }
+  return names;
+}
+
 // The file of an #include line: in quotes, or the value of a define that stands there. Empty: the line is another.
 std::string included_file(const std::string& line, const Defines& defines, std::string_view where) {
-  if (!line.starts_with("#include")) return "";
-  static const std::regex kInclude(R"re(^#include\s+(?:"([^"]+)"|(\w+)).*)re");
-  std::smatch m;
-  if (!std::regex_match(line, m, kInclude)) return "";
-  if (m[1].matched && m[1].str().find("..") != std::string::npos)
-    throw Error(ExitCode::bad_input, where, fmt::format("#include \"{}\" leaves the shaders' folder", m[1].str()));
-  if (m[1].matched) return fmt::format("shaders/{}", m[1].str());
-  const auto named = std::find_if(defines.begin(), defines.end(), [&](const Define& d) { return d.name == m[2]; });
+  constexpr std::string_view kInclude = "#include ";
+  if (!line.starts_with(kInclude)) return "";
+  const size_t begin = line.find('"'), end = line.find('"', begin + 1);
+  if (begin != std::string::npos && end != std::string::npos) {
+    const std::string file = line.substr(begin + 1, end - begin - 1);
+    if (file.find("..") != std::string::npos)
+      throw Error(ExitCode::bad_input, where, fmt::format("#include \"{}\" leaves the shaders' folder", file));
+    return fmt::format("shaders/{}", file);
+  }
+  const std::vector<std::string> names = names_in(line.substr(kInclude.size()));
+  if (names.empty()) return "";
+  const auto named =
+      std::find_if(defines.begin(), defines.end(), [&](const Define& d) { return d.name == names.front(); });
   if (named == defines.end())
-    throw Error(ExitCode::bad_input, where, fmt::format("#include {}: no such define", m[2].str()));
+    throw Error(ExitCode::bad_input, where, fmt::format("#include {}: no such define", names.front()));
   return fmt::format("shaders/{}", named->value);
 }
 
@@ -92,20 +112,19 @@ void append_file(ShaderText& out, const std::string& name, const Defines& define
 // "#define NAME 0" for each name of an #if that nothing defines and nothing asks "is it defined?" of. GLSL ES takes no such
 // name.
 std::string undefined_as_0(const std::string& text) {
-  static const std::regex kCondition(R"(^\s*#\s*(?:el)?if\s+(.*)$)"), kName(R"([A-Za-z_]\w*)"),
-      kDefine(R"(^\s*#\s*(?:define|ifn?def)\s+(\w+).*$)"), kDefined(R"(\bdefined\s*\(?\s*(\w+))");
   std::set<std::string> asked, known{"defined", "HAS_CLIP_DISTANCE"};
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch m;
-    if (line.find('#') == std::string::npos) continue;
-    if (std::regex_match(line, m, kDefine)) known.insert(m[1]);
-    if (!std::regex_match(line, m, kCondition)) continue;
-    const std::string condition = m[1].str().substr(0, m[1].str().find("//"));
-    for (std::sregex_iterator name(condition.begin(), condition.end(), kName), end; name != end; ++name)
-      asked.insert(name->str());
-    for (std::sregex_iterator name(condition.begin(), condition.end(), kDefined), end; name != end; ++name)
-      known.insert((*name)[1]);
+    const size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string::npos || line[hash] != '#') continue;
+    const std::vector<std::string> names = names_in(line.substr(0, line.find("//")));
+    if (names.size() < 2) continue;
+    const std::string& directive = names.front();
+    if (directive == "define" || directive == "ifdef" || directive == "ifndef") known.insert(names[1]);
+    if (directive != "if" && directive != "elif") continue;
+    asked.insert(names.begin() + 1, names.end());
+    for (size_t i = 1; i + 1 < names.size(); ++i)
+      if (names[i] == "defined") known.insert(names[i + 1]);
   }
   std::string out;
   for (const std::string& name : asked)
@@ -187,15 +206,21 @@ ShaderText load_shader(std::string_view name, const Defines& defines) {
   return out;
 }
 
+// Drivers write "0:12(3): error: …", "0(12) : error …" or "ERROR: 0:12: …".
 std::string readable_log(std::string_view log, const ShaderText& text) {
-  static const std::regex kPlace(R"(^\s*(?:ERROR: )?(\d+)[:(](\d+)[^:]*:\s*(.*)$)");
+  constexpr std::string_view kPrefix = "ERROR: ";
   std::istringstream lines{std::string(log)};
   for (std::string said; std::getline(lines, said);) {
-    std::smatch m;
-    if (!std::regex_match(said, m, kPlace) || said.find("warning") != std::string::npos) continue;
-    const size_t line = std::stoul(m[2]), file = std::max(line / kMostLines, std::stoul(m[1]));
+    said.erase(0, said.find_first_not_of(" \t"));
+    if (said.starts_with(kPrefix)) said.erase(0, kPrefix.size());
+    size_t told = 0, line = 0;
+    int end = 0;
+    if (std::sscanf(said.c_str(), "%zu%*1[:(]%zu%n", &told, &line, &end) != 2) continue;
+    const size_t colon = said.find(':', static_cast<size_t>(end));
+    if (colon == std::string::npos || said.find("warning") != std::string::npos) continue;
+    const size_t file = std::max(line / kMostLines, told), words = said.find_first_not_of(" \t", colon + 1);
     const std::string where = file < text.files.size() ? shown_name(text.files[file]) : text.name;
-    return fmt::format("{}:{}: {}", where, line % kMostLines, m[3].str());
+    return fmt::format("{}:{}: {}", where, line % kMostLines, words == std::string::npos ? "" : said.substr(words));
   }
   return fmt::format("{}: {}", text.name, log);
 }

@@ -137,6 +137,30 @@ Settings from_json(const Json& json, std::string_view where, Settings base) {
 
 std::string settings_text(const Settings& s) { return to_json(s).dump(2); }
 
+namespace {
+
+// Members of `all` that are not the same in `base`.
+Json without_same(const Json& all, const Json& base) {
+  Json out = Json::object();
+  for (const auto& [name, value] : all.items()) {
+    const auto at_base = base.find(name);
+    if (at_base == base.end() || value.type() != at_base->type())
+      out[name] = value;
+    else if (value != *at_base)
+      out[name] = value.is_object() ? without_same(value, *at_base) : value;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string settings_link(const Settings& s) {
+  const Json all = to_json(s);
+  Json out = {{"version", all["version"]}};
+  out.update(without_same(all, to_json(Settings{})));
+  return out.dump();
+}
+
 Settings parse_settings(std::string_view text, std::string_view where) {
   return from_json(parse_json(text, where), where);
 }

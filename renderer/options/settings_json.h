@@ -15,6 +15,8 @@ Settings from_json(const Json&, std::string_view where, Settings base = {});
 
 // The same as text, indented: what files and pictures hold.
 std::string settings_text(const Settings&);
+// On one line, what differs from the defaults alone: what a link holds. parse_settings() reads both.
+std::string settings_link(const Settings&);
 Settings parse_settings(std::string_view text, std::string_view where);
 Settings read_settings(const std::filesystem::path&);
 

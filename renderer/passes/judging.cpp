@@ -1,7 +1,9 @@
 #include "renderer/passes/judging.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "renderer/base/stopwatch.h"
 #include "renderer/base/threads.h"
 #include "renderer/gl/device.h"
 #include "renderer/passes/float_rows.h"
@@ -24,6 +26,8 @@ gl::Texture uploaded(glm::ivec2 size, const char* label, Colour colour, Alpha al
   return t;
 }
 
+constexpr double kAllOfIt = std::numeric_limits<double>::infinity();
+constexpr double kSliceMs = 12;  // of a frame, where the window's thread is the only one
 constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.normal", "seen.emission", "seen.specular"};
 
 }  // namespace
@@ -86,7 +90,7 @@ TruthMaker::~TruthMaker() {
   if (work_.valid()) work_.wait();
 }
 
-double TruthMaker::progress() const { return work_.valid() ? reference_->progress() : 0; }
+double TruthMaker::progress() const { return reference_ ? reference_->progress() : 0; }
 
 void TruthMaker::ask_gpu(Renderer& renderer, const GpuScene& scene) {
   gl::FramebufferDesc desc{.label = "seen"};
@@ -142,7 +146,7 @@ bool TruthMaker::sampled_below(Renderer& renderer, const GpuScene& scene, const 
 
 // Does the CPU work already?
 bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
-  if (work_.valid()) return true;
+  if (reference_) return true;
   const auto under_way = [&] {
     return uvs_moved_.valid() && uvs_moved_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   };
@@ -152,11 +156,23 @@ bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
   if (texels && !sampled_below(renderer, scene, *texels, wait)) texels = wait ? take_texels(wait) : std::nullopt;
   if (!texels) return false;
   reference_ = std::make_unique<Reference>(settings_, scene_, std::move(*texels));
-  work_ = in_background([this] {
-    triangles_replaced_ = reference_->check_texels();
-    reference_->find_rivals(&cancel_);
-    return reference_->run(threads_, &cancel_);
-  });
+  if (kHasThreads) work_ = in_background([this] { return work(kAllOfIt); });
+  return true;
+}
+
+// True when all is done, or cancelled. What is begun is not interrupted, but for rows.
+bool TruthMaker::work(double at_most_ms) {
+  const Stopwatch watch;
+  const auto time_left = [&] { return watch.ms() < at_most_ms && !cancel_; };
+  if (stage_ == Stage::texels) triangles_replaced_ = reference_->check_texels(), stage_ = Stage::rivals;
+  if (stage_ == Stage::rivals && time_left()) reference_->find_rivals(&cancel_), stage_ = Stage::rows;
+  return time_left() && reference_->run(threads_, &cancel_, at_most_ms);
+}
+
+bool TruthMaker::finished(bool wait) {
+  if (!work_.valid()) return work(wait ? kAllOfIt : kSliceMs);
+  if (!wait && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+  work_.get();
   return true;
 }
 
@@ -164,9 +180,8 @@ std::shared_ptr<const TruthSet> TruthMaker::step(Renderer& renderer, const GpuSc
   if (refused_) throw Error(*refused_);  // asked again it would be no better
   if (!asked_) ask_gpu(renderer, scene);
   if (!started(renderer, scene, wait)) return nullptr;
-  if (!wait && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return nullptr;
   try {
-    work_.get();
+    if (!finished(wait)) return nullptr;
   } catch (const Error& e) {
     refused_ = e;
     throw;

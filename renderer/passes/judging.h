@@ -39,7 +39,8 @@ struct TruthSet {
   TruthTextures textures;
 };
 
-// Makes a TruthSet without ever making the window wait: the GPU is asked, the CPU works on threads of its own.
+// Makes a TruthSet without ever making the window wait: the GPU is asked, the CPU works on threads of its own, or, where there
+// are none, a little in each step.
 class TruthMaker {
  public:
   TruthMaker(const Settings&, int threads);
@@ -56,6 +57,8 @@ class TruthMaker {
   std::optional<std::vector<SeenTexel>> take_texels(bool wait);
   bool sampled_below(Renderer&, const GpuScene&, const std::vector<SeenTexel>&, bool wait);
   bool started(Renderer&, const GpuScene&, bool wait);
+  bool work(double at_most_ms);
+  bool finished(bool wait);
 
   Settings settings_;
   int threads_;
@@ -72,9 +75,10 @@ class TruthMaker {
   std::shared_ptr<const Scene> scene_;  // as it is drawn
   std::unique_ptr<Reference> reference_;
   std::atomic<bool> cancel_{false};
-  size_t triangles_replaced_ = 0;  // by `work_`
+  size_t triangles_replaced_ = 0;
+  enum class Stage { texels, rivals, rows } stage_ = Stage::texels;
   std::optional<Error> refused_;
-  std::future<bool> work_;
+  std::future<bool> work_;  // where there are threads
 };
 
 // Linear radiance as drawn, rows top to bottom; waits for the GPU.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "renderer/base/stopwatch.h"
 #include "renderer/base/threads.h"
 #include "renderer/truth/ties.h"
 
@@ -68,9 +69,10 @@ void Reference::work_row(int y) {
   for (int x = 0; x < settings_.size.x; ++x) work_pixel({x, y});
 }
 
-bool Reference::run(int threads, const std::atomic<bool>* cancel) {
+bool Reference::run(int threads, const std::atomic<bool>* cancel, double at_most_ms) {
+  const Stopwatch watch;
   const auto work = [&](int) {
-    while (!(cancel && *cancel)) {
+    while (!(cancel && *cancel) && watch.ms() < at_most_ms) {
       const int y = next_row_++;
       if (y >= settings_.size.y) return;
       work_row(y);

@@ -3,6 +3,7 @@
 // No light lists: they would share the failure that is judged. It depends on the truth part of Settings and on nothing
 // else; mistakes are never true.
 #include <atomic>
+#include <limits>
 #include <memory>
 
 #include "renderer/truth/surface_light.h"
@@ -24,9 +25,10 @@ class Reference {
   // What ties are told by (ties.h). A truth without it knows none.
   void find_rivals(const std::atomic<bool>* cancel = nullptr);
 
-  // Works on the rows that are not done yet. False if it was cancelled; it can be called again to go on. The result
-  // does not depend on the number of threads.
-  bool run(int threads, const std::atomic<bool>* cancel = nullptr);
+  // Works on the rows that are not done yet. False if it was cancelled or its time is up; it can be called again to go on. The
+  // result does not depend on the number of threads.
+  bool run(int threads, const std::atomic<bool>* cancel = nullptr,
+           double at_most_ms = std::numeric_limits<double>::infinity());
   double progress() const;  // 0..1; may be asked while run() works
 
   const Settings& settings() const { return settings_; }

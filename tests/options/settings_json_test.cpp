@@ -119,6 +119,24 @@ TEST(File, VersionIsAskedForAndNewerOnesAreRefusedWithBothNumbers) {
   EXPECT_TRUE(contains(refused_file(R"({"version": 1, "ambiant": 1})"), "did you mean 'ambient'?"));
 }
 
+// A link holds what differs from the defaults, and nothing else.
+TEST(Link, BringsBackWhatItWasMadeOf) {
+  EXPECT_EQ(settings_link(Settings{}), R"({"version":1})");
+  Settings one;
+  one.lights.count = 7;
+  EXPECT_EQ(settings_link(one), R"({"version":1,"lights":{"count":7}})");
+  for (const Preset& p : presets()) {
+    Settings s = p.make();
+    s.camera.position = {0.1, -1e-7, 1e6};
+    s.mistakes.clear();
+    s.view.zoom = 2;
+    const std::string link = settings_link(s);
+    EXPECT_TRUE(parse_settings(link, "link") == s) << p.id << ": " << link;
+    EXPECT_EQ(link.find('\n'), std::string::npos);
+    EXPECT_LT(link.size(), settings_text(s).size() / 2) << p.id;
+  }
+}
+
 TEST(File, BadJsonTellsLineAndColumn) {
   EXPECT_EQ(refused_file("{\n  \"version\" 1\n}").rfind("file.json:2:13: not valid JSON", 0), 0u);
   EXPECT_EQ(refused_file("{\"a\": \"abc\n}\n").rfind("file.json:1:11: ", 0), 0u);  // the line's end itself is bad

@@ -1,4 +1,6 @@
 // OpenGL ES 3.0, which browsers have as WebGL 2, draws what OpenGL 3.3 draws: on llvmpipe to the last bit.
+#include <fmt/format.h>
+
 #include "renderer/opening/scene_look.h"
 #include "renderer/options/settings_json.h"
 #include "tests/faults/new_context.h"

@@ -383,6 +383,16 @@ TEST(Reference, DoesNotDependOnThreadsOrInterruptions) {
   EXPECT_GT(stopped.lit_pairs(), 0u);
 }
 
+TEST(Reference, GoesOnWhereItsTimeWasUp) {
+  const Scene scene = make_plane(20);
+  const Settings s = closed_settings();
+  Reference sliced(s, std::make_shared<const Scene>(scene), seen_by_rays(scene, s));
+  EXPECT_FALSE(sliced.run(1, nullptr, 0));
+  EXPECT_EQ(sliced.progress(), 0);
+  for (double last = 0; !sliced.run(1, nullptr, 0.001); last = sliced.progress()) EXPECT_GE(sliced.progress(), last);
+  EXPECT_EQ(sliced.truth().lit, truth_of(scene, s, 1).lit);
+}
+
 TEST(Reference, TheBackgroundIsTheSettings) {
   Settings s = closed_settings({4, 4});
   s.camera.orientation = orientation_from_yaw_pitch(0, 80);  // away from the plane

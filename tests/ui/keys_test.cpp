@@ -5,6 +5,7 @@
 #include <set>
 
 #include "renderer/frame/validate.h"
+#include "renderer/options/settings_json.h"
 #include "tests/ui/ui_desk.h"
 
 namespace gbl::ui {
@@ -238,6 +239,35 @@ TEST(Keys, ArrowsNudgeTheHeldPixelAndCtrlGGoesToOne) {
   EXPECT_EQ(desk.requests.probe->y, desk.settings.size.y / 2 - 10);
   desk.press("Esc");
   EXPECT_FALSE(desk.requests.probe);
+}
+
+// What a click into F1's list left behind, wherever it went.
+std::set<std::string> left_by_clicks(Desk& desk) {
+  const Settings loaded = desk.settings;
+  std::set<std::string> left;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  for (float x = 34; x < display.x; x += (display.x - 48) / 3)  // the first key of each column's rows
+    for (float y = 60; y < display.y - 40; y += 9) {
+      desk.settings = loaded;
+      desk.press("F1");
+      if (!desk.ui.is_open("help")) desk.press("F1");
+      desk.click({x, y});
+      if (!desk.ui.is_open("help")) left.insert(settings_text(desk.settings));
+      for (int i = 0; i < 4; ++i) desk.press("Esc");
+    }
+  return left;
+}
+
+TEST(Keys, EachOptionCanBeChosenInTheListByAClick) {
+  Desk desk;
+  const Settings loaded = desk.settings;
+  const std::set<std::string> left = left_by_clicks(desk);
+  for (const Option& o : options()) {
+    if (!*o.key || o.kind != Kind::choice) continue;
+    desk.settings = loaded;
+    desk.frame({presses_of({o.key, o.path, ""}).front()});
+    EXPECT_TRUE(left.count(settings_text(desk.settings))) << o.path;
+  }
 }
 
 TEST(Keys, PanelKeysAreOnOnlyBetweenF6AndEsc) {

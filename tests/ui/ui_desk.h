@@ -44,6 +44,7 @@ class Desk {
     Input input{.scene = scene, .lights = lights, .features = features, .report = report};
     input.seconds = seconds;
     input.held = held;
+    input.still = still;
     input.chart = chart;
     input.stability = stability;
     input.advisor = advisor;
@@ -105,6 +106,7 @@ class Desk {
   const PixelNumbers* numbers = nullptr;
   glm::ivec2 probed_pixel{123, 456};
   std::vector<StoredTexel> stored;  // of the probe
+  bool still = false;
   double seconds = 0;
   std::vector<std::string> held;
 };

@@ -403,6 +403,32 @@ TEST(History, ADragIsOneStep) {
   EXPECT_EQ(desk.settings.camera, before);
 }
 
+TEST(Glides, AreJumpsWhereLessMotionIsWanted) {
+  Desk desk;
+  desk.still = true;
+  const Camera before = desk.settings.camera;
+  desk.press("i");
+  EXPECT_FALSE(desk.settings.camera == before);
+  EXPECT_FALSE(desk.ui.moving(desk.settings));
+}
+
+TEST(InWords, SayTheViewThePixelTheStepAndWhatIsWrong) {
+  Desk desk;
+  desk.press("3");
+  const ViewRow& normal = view_by_id("normal");
+  EXPECT_NE(desk.requests.in_words.find(std::string(normal.label) + ": " + normal.sentence), std::string::npos);
+  EXPECT_EQ(desk.requests.in_words.find("\npixel "), std::string::npos) << "nobody points at one";
+  desk.ui.open_lesson("ten-minutes", desk.settings);
+  desk.message = "what is wrong";
+  desk.press("g", false, true);
+  desk.frame();
+  desk.type("7, 5");
+  const std::string words = desk.requests.in_words;
+  EXPECT_NE(words.find("\npixel 123, 456 "), std::string::npos) << words;  // as the desk probes it
+  EXPECT_NE(words.find(load_lesson("ten-minutes").steps[0].say), std::string::npos);
+  EXPECT_NE(words.find("what is wrong"), std::string::npos);
+}
+
 TEST(Pages, EveryViewThatIsStoredHasAPlaceOnOne) {
   for (const Preset& p : presets()) {
     Desk desk({1600, 900}, false, p.make());

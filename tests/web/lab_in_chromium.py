@@ -3,10 +3,15 @@
 
 With --shots it leaves pictures of what it saw: to be looked at. Exit code 77: there is no Chromium here."""
 import argparse
+import base64
+import json
 import pathlib
+import struct
+import subprocess
 import sys
 import tempfile
 import time
+import urllib.parse
 
 from browser import Browser, check, failures, find_chromium
 
@@ -41,42 +46,237 @@ def press(b, key, code, number):
     wait_for_frames(b, 3)
 
 
+FILE_IN_BASE64 = """window.fileInBase64 = path => {
+  lab.FS.ignorePermissions = true;
+  return btoa([...lab.FS.readFile(path)].map(x => String.fromCharCode(x)).join(''));
+}"""
+
+
+def words(b):
+    return b.js("document.querySelector('#words').textContent")
+
+
+def touch(b, kind, *points):
+    b.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
+
+
+def rest(b):
+    """Until nothing moves any more: the address then says what is shown."""
+    time.sleep(0.5)
+    wait_for_frames(b, 6)
+
+
 def open_page(b, url):
     begin = time.monotonic()
+    b.open("about:blank")  # else another # is no other page
     b.open(url)
     there = wait_for_frames(b, 1)
     print(f"        first frame after {time.monotonic() - begin:.1f} s")
-    check(there and said(b) == "", f"{url.rpartition('/')[2]} opens and says nothing is wrong: {said(b)[:200]}")
-
-
-def use(b, page, shot):
-    open_page(b, page)
     wait_for_frames(b, 5)
+    check(there and said(b) == "", f"{url.rpartition('/')[2][:60]} opens and says nothing is wrong: {said(b)[:200]}")
+
+
+def a_triangle():
+    """A model of one triangle, as a GLB."""
+    corners = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"byteLength": 36}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}]})
+    text += " " * (-len(text) % 4)
+    parts = struct.pack("<II", len(text), 0x4E4F534A) + text.encode() + struct.pack("<II", len(corners), 0x004E4942) + corners
+    return struct.pack("<III", 0x46546C67, 2, 12 + len(parts)) + parts
+
+
+def drop(b, *files):
+    data = {"items": [], "files": [str(f) for f in files], "dragOperationsMask": 1}
+    for kind in ("dragEnter", "dragOver", "drop"):
+        b.ask("Input.dispatchDragEvent", type=kind, x=400, y=300, data=data)
+    rest(b)
+
+
+def keys(b, page, shot):
+    open_page(b, page)
     shot("start")
     first = picture(b)
+    b.js("canvas.focus()")
     press(b, "c", "KeyC", 67)
+    rest(b)
     check(picture(b) != first, "C draws the light volumes' other faces")
     shot("cull")
+    link = b.js("location.href")
+    other = picture(b)
+    check('"cull"' in urllib.parse.unquote(link), f"the address says so: {urllib.parse.unquote(link)[-60:]}")
     press(b, "x", "KeyX", 88)
+    rest(b)
     check(picture(b) == first, "and X takes the sound choice again, to the same picture")
     press(b, "3", "Digit3", 51)
     check(picture(b) != first, "3 shows the normals")
+    check(words(b).startswith("normal: "), f"and it is said in words: {words(b)[:80]}")
     shot("normals")
+    b.js("canvas.blur()")
+    before = picture(b)
+    press(b, "4", "Digit4", 52)
+    check(picture(b) == before, "without the focus no key is taken")
+    b.js("canvas.focus()")
     press(b, "F12", "F12", 123)
     saved = b.js("document.body.dataset.saved || ''")
     check(saved.endswith(".png"), f"F12 gives a picture to keep: {saved}")
-    open_page(b, page + "?preset=exact&lights=16")
-    wait_for_frames(b, 5)
-    shot("exact")
-    open_page(b, page + "?lesson=what-is-in-a-g-buffer")
-    wait_for_frames(b, 5)
-    shot("lesson")
-    open_page(b, page + "?pitfall=near-plane-cut")
-    wait_for_frames(b, 5)
-    shot("pitfall")
+    open_page(b, link)
+    check(picture(b) == other, "a link brings the picture back")
+    b.js(f"location.hash = {json.dumps('#' + urllib.parse.quote(json.dumps({'version': 1, 'lights': {'count': 3}})))}")
+    rest(b)
+    check(picture(b) != other, "and so does another one in the same page")
+
+
+def fingers(b, page, shot):
+    open_page(b, page)
+    first = picture(b)
+    touch(b, "touchStart", (260, 160))
+    touch(b, "touchEnd")
+    rest(b)
+    check("pixel" in words(b), f"a tap holds the pixel: {words(b)[-80:]}")
+    for at in (1, 2):  # a double tap
+        touch(b, "touchStart", (260, 160))
+        touch(b, "touchEnd")
+        time.sleep(0.05)
+    rest(b)
+    large = picture(b)
+    check(large != first, "a double tap shows the view alone")
+    shot("double_tap")
+    touch(b, "touchStart", (240, 160), (280, 160))
+    for i in range(1, 8):
+        touch(b, "touchMove", (240 - 12 * i, 160), (280 + 12 * i, 160))
+        time.sleep(0.03)
+    touch(b, "touchEnd")
+    rest(b)
+    check('"zoom"' in urllib.parse.unquote(b.js("location.hash")), "two fingers zoom")
+    shot("pinch")
+    press(b, "F1", "F1", 112)
+    shot("all_keys")
+    open_page(b, page)
+    b.js("canvas.focus()")
+    b.ask("Input.dispatchMouseEvent", type="mouseMoved", x=260, y=160)
+    wait_for_frames(b, 3)
+    b.ask("Input.dispatchMouseEvent", type="mouseWheel", x=260, y=160, deltaX=0, deltaY=-100)
+    rest(b)
+    zoom = json.loads(urllib.parse.unquote(b.js("location.hash"))[1:] or "{}").get("view", {}).get("zoom", 1)
+    check(1 < zoom < 3, f"one notch of the wheel away from the hand zooms in a little: {zoom}")
+
+
+def files(b, page, shot, folder):
+    open_page(b, page)
+    first = picture(b)
+    model = folder / "triangle.glb"
+    model.write_bytes(a_triangle())
+    drop(b, model)
+    check("triangle.glb" in words(b) and picture(b) != first, f"a dropped model is shown: {words(b)[-160:]!r}")
+    shot("dropped")
+    shown = picture(b)
+    bad = folder / "no-model.glb"
+    bad.write_bytes(b"glTF is not this")
+    drop(b, bad)
+    check("no-model.glb" in words(b), f"what is no model is refused by name: {words(b)[-160:]!r}")
+    check(picture(b) == shown, "and the picture stays")
+    for fragment, what in (("nonsense", "JSON"), (json.dumps({"version": 99}), "newer")):
+        b.open("about:blank")
+        b.open(page + "#" + urllib.parse.quote(fragment))
+        wait_for_frames(b, 3)
+        check(what in said(b) and frames(b) > 2, f"#{fragment} is refused, and the lab opens: {said(b)[:120]}")
+
+
+def pixels(file, size):
+    """Rows of RGB bytes, of the upper left part of this size."""
+    out = subprocess.run(["convert", file, "-crop", f"{size[0]}x{size[1]}+0+0", "+repage", "-depth", "8", "rgb:-"], check=True, capture_output=True)
+    return [out.stdout[3 * size[0] * y:3 * size[0] * (y + 1)] for y in range(size[1])]
+
+
+TITLE = (220, 24)  # pixels of the panel's name, and its frame
+FRAME = 3
+
+
+def differing(a, b, size):
+    count = 0
+    for y in range(FRAME, size[1] - FRAME):
+        begin = TITLE[0] if y < TITLE[1] else FRAME
+        rows = [r[y][3 * begin:3 * (size[0] - FRAME)] for r in (a, b)]
+        if rows[0] != rows[1]:
+            count += sum(rows[0][i:i + 3] != rows[1][i:i + 3] for i in range(0, len(rows[0]), 3))
+    return count
+
+
+def pictures(b, page, folder, program):
+    """What F12 saves of each preset, against what the program draws from the settings in that very file."""
+    size = (640, 360)
+    for preset in json.loads(subprocess.run([program, "list", "presets", "--json"], check=True, capture_output=True).stdout):
+        open_page(b, f"{page}?preset={preset['id']}")
+        b.js("canvas.focus()")
+        press(b, "F12", "F12", 123)
+        b.js(FILE_IN_BASE64)
+        figure = folder / f"{preset['id']}.png"
+        figure.write_bytes(base64.b64decode(b.js("fileInBase64('/out/' + document.body.dataset.saved)")))
+        native = folder / preset["id"]
+        subprocess.run([program, "render", "--gl", "es3", "--state", figure, "--only", "final", "-o", native], check=True, capture_output=True)
+        off = differing(pixels(figure, size), pixels(native / "final.png", size), size)
+        check(off == 0, f"{preset['id']}: {off} of {size[0] * size[1]} pixels are not the program's")
+
+
+def losses(b, page, shot):
+    open_page(b, page)
+    first = picture(b)
+    b.js("window.lose = canvas.getContext('webgl2').getExtension('WEBGL_lose_context'), lose.loseContext()")
+    time.sleep(0.5)
+    check("graphics device" in said(b), f"a lost context is said: {said(b)[:80]}")
+    b.js("lose.restoreContext()")
+    wait_for_frames(b, 8)
+    rest(b)
+    check(picture(b) == first and said(b) == "", f"and all is made again: {said(b)[:200]}")
+    shot("restored")
+
+
+def taught(b, page, shot):
+    for address in ("?preset=exact&lights=16", "?lesson=what-is-in-a-g-buffer", "?pitfall=near-plane-cut", "?present=1"):
+        open_page(b, page + address)
+        shot(address.strip("?").partition("=")[0])
+    open_page(b, page + "?lesson=ten-minutes")
+    b.js("canvas.focus()")
+    seen = set()
+    for _ in range(30):
+        step = next((line for line in words(b).splitlines() if line.startswith("Lesson")), "")
+        seen.add(step)
+        press(b, "PageDown", "PageDown", 34)
+    last = max((s for s in seen if s), key=lambda s: int(s.split("step ")[1].split(" ")[0]))
+    at, of = last.split("step ")[1].split(":")[0].split(" of ")
+    check(at == of, f"a lesson is stepped through to its end: {at} of {of}")
+    open_page(b, page + "?scene=builtin:room&lights=4")
+    b.js("canvas.focus()")
+    press(b, "u", "KeyU", 85)
+    longest, begin = 0, time.monotonic()
+    while "error" not in words(b).splitlines()[0].lower() and time.monotonic() - begin < PATIENCE_S:
+        time.sleep(0.1)
+    while time.monotonic() - begin < 20:
+        before = time.monotonic()
+        wait_for_frames(b, 1)
+        longest = max(longest, time.monotonic() - before)
+    print(f"        longest frame beside the reference: {longest:.2f} s")
+    shot("error")
+    b.open("about:blank")
     b.open(page + "?preset=nowhere")
-    time.sleep(3)
-    check("nowhere" in said(b), "a preset that is not there is named: " + said(b)[:120])
+    wait_for_frames(b, 3)
+    check("nowhere" in said(b) and frames(b) > 2, "a preset that is not there is named, and the lab opens: " + said(b)[:120])
+
+
+def use(b, page, shot, folder, program):
+    keys(b, page, shot)
+    fingers(b, page, shot)
+    files(b, page, shot, folder)
+    if program:
+        pictures(b, page, folder, program)
+    else:
+        print("skipped: pictures of presets against the program's; give --program")
+    losses(b, page, shot)
+    taught(b, page, shot)
     check(not b.complaints, f"nothing is complained of and nothing is fetched: {b.complaints[:3]}")
 
 
@@ -84,6 +284,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("page", type=pathlib.Path)
     parser.add_argument("--shots", type=pathlib.Path)
+    parser.add_argument("--program", type=pathlib.Path, help="gbufferlab, to compare pictures with")
     asked = parser.parse_args()
     chromium = find_chromium()
     if not chromium:
@@ -98,7 +299,8 @@ def main():
 
         try:
             browser.ask("Emulation.setDeviceMetricsOverride", width=1280, height=720, deviceScaleFactor=1, mobile=False)
-            use(browser, asked.page.resolve().as_uri(), shot)
+            use(browser, asked.page.resolve().as_uri(), shot, pathlib.Path(temporary),
+                asked.program and asked.program.resolve())
         finally:
             browser.close()
     print(f"{len(failures)} checks failed" if failures else "all checks hold")

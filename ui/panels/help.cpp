@@ -1,4 +1,5 @@
-// F1: every key, from the rows that the dispatch reads, and what the mouse does.
+// F1: every key, from the rows that the dispatch reads, and what the mouse does. Each can be chosen here as well: where there is
+// no keyboard, it is the way to all of them.
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -44,13 +45,40 @@ std::vector<size_t> split(const std::vector<KeyRow>& rows, const Columns& c, flo
   return ends.size() <= kColumns ? ends : std::vector<size_t>{};
 }
 
+// What a place of the list does when it is clicked: as if that key were pressed once the list is closed.
+void choose_by_click(FrameContext& f, Painter& p, const Box& box, const KeyEvent& e) {
+  ImGui::SetCursorScreenPos(box.min);
+  ImGui::PushID(fmt::format("{}{}{}", e.ctrl, e.shift, e.key).c_str());
+  const bool clicked = ImGui::InvisibleButton("choose", {std::max(box.width(), 1.0f), std::max(box.height(), 1.0f)});
+  if (ImGui::IsItemHovered()) p.fill(box, theme().hovered, 3);
+  ImGui::PopID();
+  if (!clicked) return;
+  press_panel(f, panel("help"), {});
+  f.state.chosen.push_back(e);
+}
+
+// A row does its key; of several keys each cap does its own.
+void row_buttons(FrameContext& f, Painter& p, const Box& row_box, const KeyRow& r, float px) {
+  if (!r.can_choose) return;
+  const std::vector<KeyEvent> presses = presses_of(r);
+  const std::vector<std::string> caps = key_caps(r.key);
+  if (presses.size() == 1 || caps.size() < presses.size()) return choose_by_click(f, p, row_box, presses.front());
+  float x = row_box.min.x;
+  for (size_t i = 0; i < caps.size(); ++i) {
+    const float width = key_cap_width(caps[i], px);
+    const size_t before = caps.size() - presses.size();  // "Shift"
+    if (i >= before) choose_by_click(f, p, {{x, row_box.min.y}, {x + width, row_box.max.y}}, presses[i - before]);
+    x += width + 3;
+  }
+}
+
 Box help_box(const FrameContext& f) { return {f.layout.canvas.min, {f.layout.canvas.max.x, f.layout.status.min.y}}; }
 
 void draw_help(FrameContext& f, Painter& p, const Box& box) {
   const Box room = box.inset(std::round(24 * f.layout.unit));
   const float head = line_height(f.type.large) * 1.4f;
   p.text_in({room.min, {room.max.x, room.min.y + head}}, f.type.large, theme().accent,
-            "Keys and mouse   (F1 or Esc closes; Shift with a letter goes backwards)");
+            "Keys and mouse   (click one to press it; F1 or Esc closes; Shift with a letter goes backwards)");
   std::vector<KeyRow> rows = key_rows();
   for (KeyRow& r : mouse_rows()) rows.push_back(std::move(r));
   const float height = room.height() - head;
@@ -64,10 +92,12 @@ void draw_help(FrameContext& f, Painter& p, const Box& box) {
   for (size_t column = 0; column < ends.size(); ++column) {
     ImVec2 at{room.min.x + static_cast<float>(column) * room.width() / kColumns, room.min.y + head};
     for (; i < ends[column]; ++i) {
+      const float height_of_row = c.height(rows[i]);
+      row_buttons(f, p, {at, {at.x + c.keys + c.px + c.text, at.y + height_of_row - c.gap / 2}}, rows[i], c.px);
       float x = at.x;
       for (const std::string& cap : key_caps(rows[i].key)) x += p.key_cap({x, at.y}, c.px, cap) + 3;
       p.text({at.x + c.keys + c.px, at.y + above_text(c.px)}, c.px, theme().text, rows[i].help, c.text);
-      at.y += c.height(rows[i]);
+      at.y += height_of_row;
     }
   }
 }

@@ -1,0 +1,23 @@
+#pragma once
+// The window: events in, one UI frame, whatever it asks for, picture out.
+#include <memory>
+
+#include "app/commands.h"
+
+namespace gbl {
+
+class LabWindow {
+ public:
+  // Says how far it is while it reads what it starts with. Error as commands throw it.
+  explicit LabWindow(const Arguments&);
+  ~LabWindow();
+
+  bool step();  // one frame; false: it was closed
+  void keep();  // what the next window goes on with
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace gbl
