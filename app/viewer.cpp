@@ -122,14 +122,19 @@ void Viewer::draw_frame(const Settings& s, bool moving) {
     lab_.draw(affordable(s, moving));
     fresh_.fill(false);
     probe_asked_.reset();
-    if (!moving) lab_.count_pairs(double(s.size.x) * s.size.y * lab_.report().light_count <= kMaxLitTests);
-    waiting_ = !moving;
+    waiting_ = count_due_ = !moving;
     if (std::exchange(draw_failed_, false)) say("");  // what was wrong has been fixed
   } catch (const Error& e) {
     fail(e.what());
     draw_failed_ = true;
     fresh_.fill(false);  // the frame before was drawn again
   }
+}
+
+void Viewer::count_pairs() {
+  count_due_ = false;
+  const glm::dvec2 size = lab_.drawn().size;
+  lab_.count_pairs(size.x * size.y * lab_.report().light_count <= kMaxLitTests);
 }
 
 // The reference takes a second or more: its views appear when it is there, and the window goes on meanwhile. Nothing
@@ -290,9 +295,11 @@ void Viewer::update(const Settings& s, const ui::Requests& requests, bool moving
   const bool changed = !asked_ || !(without_view(s) == without_view(*asked_)) || settled;
   const bool ready = scene_ready(s);
   const bool anew = ready && (changed || could_be_larger(s));
+  const bool count_now = count_due_ && !anew;  // the picture is on screen by then
   if (anew) draw_frame(s, moving);
   if (!lab_.has_drawn()) return;
   try {
+    if (count_now) count_pairs();
     drawn_now_.fill(false);
     draw_locked(requests, anew);
     draw_views(s, requests, anew);

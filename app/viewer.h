@@ -58,6 +58,7 @@ class Viewer {
   bool scene_ready(const Settings&);
   void arrive(bool wait, LightSource lights);  // lights: those shown in the scene, unless it was dropped
   void draw_frame(const Settings&, bool moving);
+  void count_pairs();
   void draw_truth(const Settings&, const ui::Requests&, bool all);
   void take_stats(const ui::Requests&);
   void ask_stats(View);
@@ -90,6 +91,7 @@ class Viewer {
   bool opened_ = false;            // all that it needs has been read
   std::string refused_;            // a scene that cannot be read
   std::optional<Settings> asked_;  // of the last attempt, drawn or refused; empty: to be drawn anew
+  bool count_due_ = false;         // of the frame drawn last: how many pairs
   bool waiting_ = false, moving_ = false, draw_failed_ = false, measuring_ = false;
   bool truth_waiting_ = false;                  // a visible view still waits for the reference
   bool stats_pending_ = false;                  // of the error view

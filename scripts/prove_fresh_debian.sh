@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# scripts/prove_fresh_debian.sh [FOLDER]: proves by hand that packages.txt, ./run and ./test are enough on a minimal
+# scripts/prove_fresh_debian.sh [--package] [FOLDER]: proves by hand that packages.txt, ./run and ./test are enough on a minimal
 # Debian 12: no display, no sudo, no git, no compiler. It lays such a system into FOLDER (new or empty, and kept;
 # else a temporary one, removed) from the Debian mirror that this machine's apt uses, copies a clean clone of HEAD
-# into it and runs there: ./run render --sheet -o out, the same again offline, ./test. Fails loudly at the first
-# step that does. Needs root, debootstrap and git here; about 2 GB of disk.
+# into it and runs there: ./run render --sheet -o out, the same again offline, ./test, ./run package. The package is then installed
+# in a second such system, and draws there as another user, without a source folder. --package: that alone. Fails loudly at the
+# first step that does. Needs root, debootstrap and git here; about 2 GB of disk.
 set -euo pipefail
 
 release=bookworm
@@ -74,6 +75,11 @@ inside() {
     chroot "$system" /bin/bash -c 'cd /home/gbufferlab && exec "$@"' bash "$@" </dev/null
 }
 
+package_only=
+if [[ ${1:-} == --package ]]; then
+  package_only=--package
+  shift
+fi
 # Everything from here on sees mounts and processes of its own: they are gone with the script, however it ends.
 if [[ ${1:-} != --inside-namespace ]]; then
   ((EUID == 0)) || die "needs root: it mounts and changes root"
@@ -84,13 +90,14 @@ if [[ ${1:-} != --inside-namespace ]]; then
     system=$(cd "$1" && pwd)
   else
     system=$(mktemp -d -t gbufferlab-debian.XXXXXX)
-    trap 'rm -rf --one-file-system "$system"' EXIT
+    trap 'rm -rf --one-file-system "$system" "$system.bare"' EXIT
   fi
-  unshare --mount --propagation private --pid --fork --mount-proc --kill-child "${BASH_SOURCE[0]}" --inside-namespace "$system"
+  unshare --mount --propagation private --pid --fork --mount-proc --kill-child "${BASH_SOURCE[0]}" --inside-namespace "$system" $package_only
   exit
 fi
 
 system=$2
+package_only=${3:-}
 times=()
 network=()
 log=$system.log
@@ -100,17 +107,36 @@ suites=$(apt_suites)
 if [[ -n $(git -C "$root" status --porcelain) ]]; then say "note: HEAD is proved; changes that are not committed are not in it"; fi
 
 timed "debootstrap $release, minbase" lay_system
+cp -a "$system" "$system.bare"
 settle_system
 git clone --quiet --depth 1 "file://$root" "$system/home/gbufferlab"
 
-timed "./run render --sheet -o out: packages, build, picture" inside ./run render --sheet -o out
-sheet=$system/home/gbufferlab/out/sheet.png
-[[ $(head -c 4 "$sheet" | tail -c 3) == PNG ]] || die "out/sheet.png is missing or no PNG"
-rm "$sheet"
-network=(unshare --net)
-timed "the same again, without a network" inside ./run render --sheet -o out
-network=()
-timed "./test" inside ./test
+if [[ -z $package_only ]]; then
+  timed "./run render --sheet -o out: packages, build, picture" inside ./run render --sheet -o out
+  sheet=$system/home/gbufferlab/out/sheet.png
+  [[ $(head -c 4 "$sheet" | tail -c 3) == PNG ]] || die "out/sheet.png is missing or no PNG"
+  rm "$sheet"
+  network=(unshare --net)
+  timed "the same again, without a network" inside ./run render --sheet -o out
+  network=()
+  timed "./test" inside ./test
+fi
+timed "./run package" inside ./run package
 
-say "a minimal Debian $release runs the lab; packages.txt is complete"
+built=$(echo "$system"/home/gbufferlab/out/gbufferlab_*.deb)
+system=$system.bare
+settle_system
+mkdir "$system/home/gbufferlab"
+cp "$built" "$system/home/gbufferlab/"
+name=./$(basename "$built")
+timed "apt-get update in a bare system" inside apt-get -qq update
+timed "apt-get install $name there" inside apt-get -qq --no-install-recommends install --yes "$name"
+inside useradd --create-home student
+timed "a picture drawn by another user" inside su student -c 'cd && gbufferlab render --only final -o pictures && gbufferlab list presets >/dev/null'
+picture=$system/home/student/pictures/final.png
+[[ $(head -c 4 "$picture" | tail -c 3) == PNG ]] || die "pictures/final.png is missing or no PNG"
+left=$(cd "$system/home/student" && find . -newer "$system/home/gbufferlab/$name" -type f | sort)
+say "that user's files now: $left"
+
+say "a minimal Debian $release runs the lab; packages.txt is complete, and so is what the package depends on"
 printf '%s\n' "${times[@]}"

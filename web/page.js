@@ -176,7 +176,9 @@ addEventListener('drop', async e => {
 }, true);
 
 function copy(text) {
-  navigator.clipboard.writeText(text).catch(() => say('The browser lets this page copy nothing; it says:\n' + text));
+  const refused = () => say('The browser lets this page copy nothing. The text:\n' + text);
+  if (navigator.clipboard) navigator.clipboard.writeText(text).catch(refused);
+  else refused();
 }
 
 function download(path) {

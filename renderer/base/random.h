@@ -1,6 +1,7 @@
 #pragma once
 // PCG32 (O'Neill 2014, "PCG: A family of simple fast space-efficient statistically good algorithms for random
-// number generation"). Integers first, then double, one rounding: equal seeds give equal numbers on every machine.
+// number generation"). Integers first, then double, one rounding: equal seeds give equal numbers on every machine. That holds only
+// where no two are drawn among the arguments of one call: in which order those are worked out is the compiler's choice.
 #include <cstdint>
 
 namespace gbl {

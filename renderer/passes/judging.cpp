@@ -1,9 +1,7 @@
 #include "renderer/passes/judging.h"
 
 #include <algorithm>
-#include <limits>
 
-#include "renderer/base/stopwatch.h"
 #include "renderer/base/threads.h"
 #include "renderer/gl/device.h"
 #include "renderer/passes/float_rows.h"
@@ -26,7 +24,6 @@ gl::Texture uploaded(glm::ivec2 size, const char* label, Colour colour, Alpha al
   return t;
 }
 
-constexpr double kAllOfIt = std::numeric_limits<double>::infinity();
 constexpr double kSliceMs = 12;  // of a frame, where the window's thread is the only one
 constexpr const char* kSeenLabels[] = {"seen.triangle", "seen.base", "seen.normal", "seen.emission", "seen.specular"};
 
@@ -156,21 +153,24 @@ bool TruthMaker::started(Renderer& renderer, const GpuScene& scene, bool wait) {
   if (texels && !sampled_below(renderer, scene, *texels, wait)) texels = wait ? take_texels(wait) : std::nullopt;
   if (!texels) return false;
   reference_ = std::make_unique<Reference>(settings_, scene_, std::move(*texels));
-  if (kHasThreads) work_ = in_background([this] { return work(kAllOfIt); });
+  if (kHasThreads) work_ = in_background([this] { return work(Reference::kAllOfIt); });
   return true;
 }
 
-// True when all is done, or cancelled. What is begun is not interrupted, but for rows.
+// True when all is done. Of the stages one is gone on with.
 bool TruthMaker::work(double at_most_ms) {
-  const Stopwatch watch;
-  const auto time_left = [&] { return watch.ms() < at_most_ms && !cancel_; };
-  if (stage_ == Stage::texels) triangles_replaced_ = reference_->check_texels(), stage_ = Stage::rivals;
-  if (stage_ == Stage::rivals && time_left()) reference_->find_rivals(&cancel_), stage_ = Stage::rows;
-  return time_left() && reference_->run(threads_, &cancel_, at_most_ms);
+  switch (stage_) {
+    case Stage::texels: triangles_replaced_ = reference_->check_texels(), stage_ = Stage::rivals; break;
+    case Stage::rivals:
+      if (reference_->find_rivals(&cancel_, at_most_ms)) stage_ = Stage::rows;
+      break;
+    case Stage::rows: return reference_->run(threads_, &cancel_, at_most_ms);
+  }
+  return at_most_ms == Reference::kAllOfIt && !cancel_ && work(at_most_ms);
 }
 
 bool TruthMaker::finished(bool wait) {
-  if (!work_.valid()) return work(wait ? kAllOfIt : kSliceMs);
+  if (!work_.valid()) return work(wait ? Reference::kAllOfIt : kSliceMs);
   if (!wait && work_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
   work_.get();
   return true;

@@ -92,8 +92,9 @@ void add_tree(Scene& scene) {
   Mesh crown;
   Pcg32 random(24);
   for (int i = 0; i < 16; ++i) {
-    const glm::dvec3 at = kTree + glm::dvec3(random.in(-1, 1), random.in(2.1, 3.5), random.in(-1, 1));
-    const glm::dmat4 turned = glm::rotate(standing_at(at, random.in(0, 360)), random.in(-1.2, 0.4), {1, 0, 0});
+    const double z = random.in(-1, 1), y = random.in(2.1, 3.5), x = random.in(-1, 1);
+    const double tilt = random.in(-1.2, 0.4), turn = random.in(0, 360);
+    const glm::dmat4 turned = glm::rotate(standing_at(kTree + glm::dvec3(x, y, z), turn), tilt, {1, 0, 0});
     append(crown, card, turned);
   }
   place(scene, "crown", std::move(crown), leaves);

@@ -90,15 +90,22 @@ Mesh make_roof(const HouseShape& s, Pcg32& rng) {
     append(mesh, make_sheet(corner + up + in + along, -along, {0, -kLow, 0}, 0.2), glm::dmat4(1));  // inside
   });
   const size_t roof_end = mesh.vertices.size();
-  const auto box = [&](double w, double d, double h) {
-    const glm::dvec3 at(rng.in(-rim + w, rim - w), top - kLow, rng.in(-rim + d, rim - d));
+  struct Range {
+    double low, high;
+  };
+  const auto box = [&](Range across, Range high) {
+    const double h = rng.in(high.low, high.high), d = rng.in(across.low, across.high),
+                 w = rng.in(across.low, across.high);
+    const double z = rng.in(-rim + d, rim - d), x = rng.in(-rim + w, rim - w);
+    const glm::dvec3 at(x, top - kLow, z);
     append(mesh, make_box(at - glm::dvec3(w, 0, d), at + glm::dvec3(w, h, d), 0.2), glm::dmat4(1));
   };
-  box(rng.in(1.5, 2.5), rng.in(1.5, 2.5), rng.in(2.2, 3.2));
-  box(rng.in(0.7, 1.2), rng.in(0.7, 1.2), rng.in(1.2, 1.8));
+  box({1.5, 2.5}, {2.2, 3.2});
+  box({0.7, 1.2}, {1.2, 1.8});
   if (s.storeys > 7) {  // a water tank
     const Profile tank = {{1.6, 0}, {1.6, 2.6}, {1.75, 2.65}, {0, 3.6}};
-    const glm::dvec3 at(rng.in(-rim, rim) * 0.5, top - kLow + 0.6, rng.in(-rim, rim) * 0.5);
+    const double z = rng.in(-rim, rim) * 0.5, x = rng.in(-rim, rim) * 0.5;
+    const glm::dvec3 at(x, top - kLow + 0.6, z);
     append(mesh, make_lathe(tank, 14), glm::translate(glm::dmat4(1), at));
     append(mesh, make_box(at - glm::dvec3(1.1, 0.6, 1.1), at + glm::dvec3(1.1, 0, 1.1), 0.2), glm::dmat4(1));
   }
@@ -122,7 +129,8 @@ Mesh make_windows(const HouseShape& s, Pcg32& rng) {
                make_sheet(from, right * (kWindowRight - kWindowLeft - 0.24), {0, kWindowTop - kWindowBottom - 0.24, 0},
                           0.5),
                glm::dmat4(1));
-        const glm::vec3 light = kLights[rng.next() % 4] * static_cast<float>(rng.in(0.35, 1));
+        const auto strength = static_cast<float>(rng.in(0.35, 1));
+        const glm::vec3 light = kLights[rng.next() % 4] * strength;
         for (size_t i = mesh.vertices.size() - 4; i < mesh.vertices.size(); ++i)
           mesh.vertices[i].colour = glm::vec4(light, 1);
       }

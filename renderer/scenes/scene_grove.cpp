@@ -57,7 +57,8 @@ void add_trees(Scene& scene, const TileNoise& noise, int bark, int leaves) {
     const double angle = glm::radians(-200 + 225.0 * (i + rng.in(0.1, 0.9)) / kTrees), far = rng.in(13, 34);
     const glm::dvec2 p(2 + far * std::cos(angle), -4 + far * std::sin(angle));
     const Kind& kind = kinds[static_cast<size_t>(i) % kinds.size()];
-    const glm::dmat4 at = standing_at({p.x, ground_height(p.x, p.y, noise), p.y}, rng.in(0, 360), rng.in(0.8, 1.25));
+    const double size = rng.in(0.8, 1.25), turn = rng.in(0, 360);
+    const glm::dmat4 at = standing_at({p.x, ground_height(p.x, p.y, noise), p.y}, turn, size);
     place(scene, fmt::format("tree {}", i + 1), kind.wood, bark, at);
     place(scene, fmt::format("crown {}", i + 1), kind.foliage, leaves, at);
   }

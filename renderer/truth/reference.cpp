@@ -28,10 +28,17 @@ Reference::Reference(const Settings& s, std::shared_ptr<const Scene> scene, std:
   lit_pairs_of_row_.resize(static_cast<size_t>(s.size.y));
 }
 
-void Reference::find_rivals(const std::atomic<bool>* cancel) {
+bool Reference::find_rivals(const std::atomic<bool>* cancel, double at_most_ms) {
+  const Stopwatch watch;
   std::vector<SeenSurface> seen;
   for (const SeenTexel& t : texels_) seen.push_back(t.surface());
-  truth_.rivals = rivals_of(settings_, *scene_, seen, cancel);
+  while (next_rival_place_ < kRivalPlaces) {
+    if (cancel && *cancel) return false;
+    add_rivals(next_rival_place_++, settings_, *scene_, seen, truth_.rivals);
+    if (watch.ms() >= at_most_ms) return false;
+  }
+  put_in_order(truth_.rivals);
+  return true;
 }
 
 void Reference::add_mirrored(size_t i, const SurfaceLight::Mirrored& mirrored) {
@@ -72,11 +79,12 @@ void Reference::work_row(int y) {
 bool Reference::run(int threads, const std::atomic<bool>* cancel, double at_most_ms) {
   const Stopwatch watch;
   const auto work = [&](int) {
-    while (!(cancel && *cancel) && watch.ms() < at_most_ms) {
+    while (!(cancel && *cancel)) {
       const int y = next_row_++;
       if (y >= settings_.size.y) return;
       work_row(y);
       ++rows_done_;
+      if (watch.ms() >= at_most_ms) return;
     }
   };
   on_threads(threads, work);

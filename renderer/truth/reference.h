@@ -22,13 +22,13 @@ class Reference {
   // The texels' triangles against the scene, in double (visible_triangles.h); the number of those replaced.
   size_t check_texels() { return check_triangles(settings_, *scene_, texels_); }
 
+  // Both are false if cancelled or when their time is up; called again they go on. A ninth or a row is done each time, and none is left
+  // half done.
+  static constexpr double kAllOfIt = std::numeric_limits<double>::infinity();
   // What ties are told by (ties.h). A truth without it knows none.
-  void find_rivals(const std::atomic<bool>* cancel = nullptr);
-
-  // Works on the rows that are not done yet. False if it was cancelled or its time is up; it can be called again to go on. The
-  // result does not depend on the number of threads.
-  bool run(int threads, const std::atomic<bool>* cancel = nullptr,
-           double at_most_ms = std::numeric_limits<double>::infinity());
+  bool find_rivals(const std::atomic<bool>* cancel = nullptr, double at_most_ms = kAllOfIt);
+  // The rows that are not done yet. The result does not depend on the number of threads.
+  bool run(int threads, const std::atomic<bool>* cancel = nullptr, double at_most_ms = kAllOfIt);
   double progress() const;  // 0..1; may be asked while run() works
 
   const Settings& settings() const { return settings_; }
@@ -49,6 +49,7 @@ class Reference {
   SurfaceLight light_;
   Truth truth_;
   std::vector<uint64_t> lit_pairs_of_row_;
+  int next_rival_place_ = 0;
   std::atomic<int> next_row_{0}, rows_done_{0};
 };
 

@@ -4,7 +4,6 @@
 // where the reference itself, shot one step of that grid aside of the centre, sees what the frame shows, or has it right
 // behind what it sees. A frame that shows anything else is wrong. The driver's word for the reference's own triangles is
 // taken within the same bounds (check_triangles.cpp): had it named the frame's surface there, that would be the truth.
-#include <atomic>
 #include <span>
 
 #include "renderer/truth/truth.h"
@@ -21,10 +20,13 @@ inline constexpr double kRasterPx = 1.0 / 16;
 // coarser one is not excused.
 inline constexpr double kSameRange = 1e-4;
 
-// Surfaces besides those that are `seen` within these bounds, background included: by the pixel, each once. Empty if
-// cancelled.
-std::vector<Rival> rivals_of(const Settings&, const Scene&, std::span<const SeenSurface> seen,
-                             const std::atomic<bool>* cancel = nullptr);
+// Surfaces besides those that are `seen` within these bounds, background included: by the pixel, each once.
+std::vector<Rival> rivals_of(const Settings&, const Scene&, std::span<const SeenSurface> seen);
+// The same place by place, for those who do something else in between: what is seen aside of the pixels' centres, added as it
+// is found; and then put in order.
+inline constexpr int kRivalPlaces = 9;
+void add_rivals(int place, const Settings&, const Scene&, std::span<const SeenSurface> seen, std::vector<Rival>&);
+void put_in_order(std::vector<Rival>&);
 
 // A truth without rivals knows no ties.
 bool is_tie(const Truth&, size_t pixel, SeenSurface frames);

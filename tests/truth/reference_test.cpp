@@ -388,7 +388,7 @@ TEST(Reference, GoesOnWhereItsTimeWasUp) {
   const Settings s = closed_settings();
   Reference sliced(s, std::make_shared<const Scene>(scene), seen_by_rays(scene, s));
   EXPECT_FALSE(sliced.run(1, nullptr, 0));
-  EXPECT_EQ(sliced.progress(), 0);
+  EXPECT_GT(sliced.progress(), 0);
   for (double last = 0; !sliced.run(1, nullptr, 0.001); last = sliced.progress()) EXPECT_GE(sliced.progress(), last);
   EXPECT_EQ(sliced.truth().lit, truth_of(scene, s, 1).lit);
 }

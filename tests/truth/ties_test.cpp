@@ -1,6 +1,7 @@
 // Which surfaces are seen one step of the rasteriser's grid beside a pixel's centre.
 #include "renderer/truth/ties.h"
 
+#include "renderer/truth/reference.h"
 #include "renderer/truth/visible_triangles.h"
 #include "tests/truth/closed_scene.h"
 
@@ -102,10 +103,22 @@ TEST(Ties, TheCentreItselfIsLookedAt) {
   EXPECT_EQ(t.rivals.size(), 256u);
 }
 
-TEST(Ties, AreGivenUpWhenCancelled) {
-  const std::atomic<bool> cancel{true};
+TEST(Ties, AreGivenUpWhenCancelledAndGoOnWhereTimeWasUp) {
+  const Settings s = from_the_front();
+  const auto scene = std::make_shared<const Scene>(Cards().everywhere(0).scene());
   const std::vector<SeenSurface> driver(256, kSecond);
-  EXPECT_TRUE(rivals_of(from_the_front(), Cards().everywhere(0).scene(), driver, &cancel).empty());
+  std::vector<SeenTexel> texels(driver.size());
+  for (size_t i = 0; i < driver.size(); ++i) texels[i].seen = glm::vec4(driver[i].object, driver[i].triangle, 0, 0);
+  Reference reference(s, scene, texels);
+  std::atomic<bool> cancel{true};
+  EXPECT_FALSE(reference.find_rivals(&cancel));
+  EXPECT_TRUE(reference.truth().rivals.empty());
+  cancel = false;
+  int calls = 0;
+  while (!reference.find_rivals(&cancel, 0)) ++calls;
+  EXPECT_EQ(calls, kRivalPlaces);
+  EXPECT_EQ(reference.truth().rivals, rivals_of(s, *scene, driver));
+  EXPECT_EQ(reference.truth().rivals.size(), 256u);
 }
 
 }  // namespace
