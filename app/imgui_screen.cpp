@@ -35,9 +35,11 @@ void ImguiScreen::draw(glm::ivec2 size, const std::function<void()>& panels) {
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+#ifndef IMGUI_IMPL_OPENGL_ES3
   // As it is packaged, the backend also sets what GLES has not, as how polygons are filled.
   if (api_ == gl::Api::es3)
     for (int errors = 0; errors < 8 && glGetError() != GL_NO_ERROR;) ++errors;
+#endif
 }
 
 Image ImguiScreen::picture(glm::ivec2 size, const std::function<void()>& panels) {

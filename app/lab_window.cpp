@@ -110,7 +110,8 @@ class Loop {
     first.visible[static_cast<size_t>(view_by_id(settings_.view.main).view)] = true;
     lab_.open(settings_.scene);
     viewer_.update(settings_, first, false);
-    viewer_.compile_ahead();
+    if (kHasThreads) viewer_.compile_ahead();  // a page would stand still meanwhile
+    in_address_ = wherever(settings_);
     say_trouble();
   }
 
@@ -254,15 +255,16 @@ class Loop {
     if (trouble || slow || was_busy || viewer_.busy()) stir();  // what came of it is drawn by the next steps
   }
 
+  // The size is the window's, wherever it is opened.
+  static Settings wherever(Settings s) {
+    s.size = Settings{}.size;
+    return s;
+  }
+
   void tell_system(const std::string& words) {
     if (words != in_words_) say_in_words(in_words_ = words);
     if (ui_.moving(settings_) || glfwGetTime() - stirred_s_ < kAddressSeconds) return;
-    Settings now = settings_;
-    now.size = Settings{}.size;  // the window's, wherever it is opened
-    if (!in_address_) in_address_ = now;
-    if (now == *in_address_) return;
-    in_address_ = now;
-    show_in_address(now);
+    if (const Settings now = wherever(settings_); !(now == in_address_)) show_in_address(in_address_ = now);
   }
 
   void stir() { quiet_frames_ = 0, stirred_s_ = glfwGetTime(); }
@@ -319,10 +321,10 @@ class Loop {
   GlfwBackend backend_;
   LayoutWatch layout_watch_;
   int quiet_frames_ = 0;
-  double touched_s_ = glfwGetTime();    // by a hand; that it was opened counts
-  double stirred_s_ = 0;                // when anything happened last
-  double wakes_s_ = kNever;             // when the window changes by itself
-  std::optional<Settings> in_address_;  // empty: what it started with stands there already
+  double touched_s_ = glfwGetTime();  // by a hand; that it was opened counts
+  double stirred_s_ = 0;              // when anything happened last
+  double wakes_s_ = kNever;           // when the window changes by itself
+  Settings in_address_;               // what it started with stands there already
   std::string in_words_;
 };
 

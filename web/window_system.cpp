@@ -23,7 +23,7 @@ EM_BOOL resized(int, const EmscriptenUiEvent*, void* window) {
 
 void ask_for_context(gl::Api) {}
 void name_lost_displays() {}
-bool wait_for_events(double) { return true; }
+bool wait_for_events(double) { return false; }  // events have their callbacks, between two frames
 
 // What page.js does for the program (makeLab's argument).
 // clang-format off

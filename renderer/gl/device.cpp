@@ -96,7 +96,7 @@ const Device& device() { return g_device; }
 
 Device probe_device(FeatureSet without) {
   Device d;
-  d.vendor = text(GL_VENDOR), d.renderer = text(GL_RENDERER), d.version = text(GL_VERSION);
+  d.vendor = text(GL_VENDOR), d.renderer = text(renderer_query()), d.version = text(GL_VERSION);
   d.glsl = text(GL_SHADING_LANGUAGE_VERSION);
   d.api = is_desktop_gl() ? Api::core : Api::es3;
   const bool es = d.api == Api::es3;

@@ -77,10 +77,11 @@ void AsyncBytes::start(std::string label, size_t bytes, const std::function<void
   if (!buffer_) buffer_ = Buffer::make();
   drop();
   label_ = std::move(label);
-  data_.resize(bytes);
   state_pixel_storage();
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
-  glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
+  if (data_.size() != bytes)
+    glBufferData(GL_PIXEL_PACK_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_READ);
+  data_.resize(bytes);
   read();
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);

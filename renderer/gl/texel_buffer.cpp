@@ -25,18 +25,23 @@ void write_buffer(TexelBuffer& table, Format format, const void* texels, size_t 
   if (is_new) glTexBuffer(GL_TEXTURE_BUFFER, gl_format(format).internal, table.texels.id());
 }
 
-// Whole rows, and what is left over in one more.
-void write_rows(Format format, const void* texels, size_t count, std::string_view label) {
+// Whole rows, and what is left over in one more. Room is made only where there is none: a browser asked whether that went well
+// waits for all that it was told before.
+void write_rows(TexelBuffer& table, Format format, const void* texels, size_t count, std::string_view label) {
   const GlFormat f = gl_format(format);
   const auto whole = static_cast<GLsizei>(count / kTableWidth), rest = static_cast<GLsizei>(count % kTableWidth);
   const auto* bytes = static_cast<const std::byte*>(texels);
   state_pixel_storage();
-  attempt({label, fmt::format("a table of {} texels", count), kFewer}, [&] {
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), kTableWidth, whole + (rest > 0), 0, f.format, f.type,
-                 nullptr);
-  });
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // there are no levels
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  const std::pair<Format, int> needed(format, whole + (rest > 0));
+  if (table.room != needed) {
+    attempt({label, fmt::format("a table of {} texels", count), kFewer}, [&] {
+      glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(f.internal), kTableWidth, needed.second, 0, f.format, f.type,
+                   nullptr);
+    });
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);  // there are no levels
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    table.room = needed;
+  }
   if (whole > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kTableWidth, whole, f.format, f.type, bytes);
   const size_t done = size_t(kTableWidth) * static_cast<size_t>(whole) * static_cast<size_t>(row(format).bytes);
   if (rest > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, whole, rest, 1, f.format, f.type, bytes + done);
@@ -57,7 +62,7 @@ void write_texels(TexelBuffer& table, Format format, const void* texels, size_t 
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(target(), table.name.id());
   if (in_rows())
-    write_rows(format, texels, count, label);
+    write_rows(table, format, texels, count, label);
   else
     write_buffer(table, format, texels, count * static_cast<size_t>(row(format).bytes), label);
   if (is_new) set_label(GL_TEXTURE, table.name.id(), label);

@@ -4,6 +4,7 @@
 // has instead, in rows of kTableWidth.
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "renderer/gl/buffer.h"
 #include "renderer/gl/texture.h"
@@ -16,7 +17,8 @@ inline constexpr int kTableWidth = 2048;  // texels: every GLES 3.0 has as many
 
 struct TexelBuffer {
   Object<Kind::texture> name;
-  Buffer texels;  // none in GLES
+  Buffer texels;                  // none in GLES
+  std::pair<Format, int> room{};  // of GLES: a texture of so many rows is there
 };
 
 // Written anew as a whole; Error if the driver's tables hold fewer texels or it has no room. A table of none has one of
