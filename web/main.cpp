@@ -1,5 +1,5 @@
 // The page: the window of the desktop, in a browser. What it starts with stands in its address: ?preset=, ?scene=, ?lights=,
-// ?lesson=, ?pitfall=, ?present, or whole settings behind #, which page.js leaves in a file.
+// ?set=PATH=VALUE (repeatable), ?lesson=, ?pitfall=, ?present, or whole settings behind #, which page.js leaves in a file.
 #include <cstdio>
 #include <cstdlib>
 #include <emscripten.h>
@@ -7,13 +7,15 @@
 #include <fmt/format.h>
 #include <functional>
 #include <memory>
+#include <sstream>
+#include <vector>
 
 #include "app/lab_window.h"
 #include "renderer/base/number.h"
 
 // clang-format off
 EM_JS(char*, gbl_asked, (const char* name), {
-  const value = new URLSearchParams(location.search).get(UTF8ToString(name)) || '';
+  const value = new URLSearchParams(location.search).getAll(UTF8ToString(name)).join(String.fromCharCode(10));
   const bytes = lengthBytesUTF8(value) + 1, to = _malloc(bytes);
   stringToUTF8(value, to, bytes);
   return to;
@@ -41,6 +43,14 @@ std::optional<std::string> if_asked(const char* name) {
   return text.empty() ? std::nullopt : std::optional(std::move(text));
 }
 
+// What is asked several times comes as lines.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) out.push_back(line);
+  return out;
+}
+
 Arguments arguments_of_address() {
   Arguments a;
   a.command = "view", a.gl = "es3", a.fresh = true;
@@ -51,6 +61,7 @@ Arguments arguments_of_address() {
     return a;
   }
   a.preset = if_asked("preset"), a.scene = if_asked("scene");
+  if (const auto set = if_asked("set")) a.set = lines_of(*set);
   if (const auto lights = if_asked("lights")) {
     const auto count = whole_decimal(*lights);
     if (!count || *count < 0 || *count > kMaxLights)

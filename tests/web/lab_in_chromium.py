@@ -272,7 +272,7 @@ def losses(b, page, shot):
 
 
 def taught(b, page, shot):
-    for address in ("?preset=exact&lights=16", "?lesson=what-is-in-a-g-buffer", "?pitfall=near-plane-cut", "?present=1"):
+    for address in ("?preset=exact&lights=16", "?lesson=what-is-in-a-g-buffer", "?pitfall=near-plane-cut", "?present=1&set=lights.cull=back"):
         open_page(b, page + address)
         shot(address.strip("?").partition("=")[0])
     open_page(b, page + "?lesson=ten-minutes")
