@@ -246,12 +246,13 @@ std::set<std::string> left_by_clicks(Desk& desk) {
   const Settings loaded = desk.settings;
   std::set<std::string> left;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
-  for (float x = 34; x < display.x; x += (display.x - 48) / 3)  // the first key of each column's rows
-    for (float y = 60; y < display.y - 40; y += 9) {
+  const int across = static_cast<int>(display.x), down = static_cast<int>(display.y);
+  for (int x = 34; x < across; x += (across - 48) / 3)  // the first key of each column's rows
+    for (int y = 60; y < down - 40; y += 9) {
       desk.settings = loaded;
       desk.press("F1");
       if (!desk.ui.is_open("help")) desk.press("F1");
-      desk.click({x, y});
+      desk.click({static_cast<float>(x), static_cast<float>(y)});
       if (!desk.ui.is_open("help")) left.insert(settings_text(desk.settings));
       for (int i = 0; i < 4; ++i) desk.press("Esc");
     }
