@@ -35,7 +35,7 @@ list(JOIN RECOMMENDS ", " RECOMMENDS)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gbufferlab)
-set(CPACK_PACKAGE_CONTACT "The founders of G-Buffer Lab")
+set(CPACK_PACKAGE_CONTACT "G-Buffer Lab authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "see every buffer of a deferred renderer, and what each choice costs")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

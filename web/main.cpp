@@ -51,9 +51,15 @@ std::vector<std::string> lines_of(const std::string& text) {
   return out;
 }
 
-Arguments arguments_of_address() {
+// The first screen.
+Arguments plain_arguments() {
   Arguments a;
   a.command = "view", a.gl = "es3", a.fresh = true;
+  return a;
+}
+
+Arguments arguments_of_address() {
+  Arguments a = plain_arguments();
   a.present = !asked("present").empty();
   a.lesson = asked("lesson"), a.pitfall = asked("pitfall");
   if (std::filesystem::exists(kLink)) {  // says everything
@@ -90,9 +96,7 @@ std::unique_ptr<LabWindow> opened() {
     return std::make_unique<LabWindow>(arguments_of_address());
   } catch (const Error& e) {
     std::fprintf(stderr, "gbufferlab: %s\n", e.what());
-    Arguments plain;
-    plain.command = "view", plain.gl = "es3", plain.fresh = true;
-    return std::make_unique<LabWindow>(plain);
+    return std::make_unique<LabWindow>(plain_arguments());
   }
 }
 

@@ -38,7 +38,7 @@ async function start() {
   const lacking = missing();
   if (lacking) {
     bar.hidden = true;
-    say(lacking + '\nThe lab runs in Chrome or Edge 95, Firefox 113, Safari 16.4 or newer, or as a program of its own.');
+    say(lacking + '\nIt needs what Chrome or Edge 95, Firefox 113 and Safari 16.4 brought; else the lab is a program of its own, too.');
     return;
   }
   await frameOf(1);

@@ -128,7 +128,7 @@ def keys(b, page, shot):
     check(picture(b) == other, "a link brings the picture back")
     b.js(f"location.hash = {json.dumps('#' + urllib.parse.quote(json.dumps({'version': 1, 'lights': {'count': 3}})))}")
     rest(b)
-    check(picture(b) != other, "and so does another one in the same page")
+    check(" 3 lights" in words(b) and picture(b) != other, f"and another one opens in the same page: {words(b)[90:180]!r}")
 
 
 def fingers(b, page, shot):
@@ -138,7 +138,7 @@ def fingers(b, page, shot):
     touch(b, "touchEnd")
     rest(b)
     check("pixel" in words(b), f"a tap holds the pixel: {words(b)[-80:]}")
-    for at in (1, 2):  # a double tap
+    for _ in range(2):  # a double tap
         touch(b, "touchStart", (260, 160))
         touch(b, "touchEnd")
         time.sleep(0.05)
@@ -346,7 +346,7 @@ def main():
             try:
                 print("with SwiftShader, Chromium's own driver:")
                 browser.ask("Emulation.setDeviceMetricsOverride", width=1280, height=720, deviceScaleFactor=1, mobile=False)
-                # Another rasteriser: its edges lie elsewhere. WebGL's own specification asks for no more.
+                # Another rasteriser: its edges lie elsewhere. Measured: 0.14 % of the pixels; a wrong method is off by far more.
                 pictures(browser, page, pathlib.Path(temporary), program, only=("start", "exact"), tolerance=8, most=0.01)
             finally:
                 browser.close()
