@@ -7,6 +7,7 @@
 #include "renderer/gbuffer/layouts.h"
 #include "renderer/picture/srgb.h"
 #include "ui/figure.h"
+#include "ui/panel.h"
 #include "ui/state.h"
 
 namespace gbl::ui {
@@ -80,6 +81,7 @@ std::string in_words(const FrameContext& f) {
   add(made_in_words(f.settings, f.input.report));
   if (f.input.probe && (f.state.held_at || f.state.hovered_pixel)) add(pixel_in_words(f, *f.input.probe));
   if (f.state.lesson) add(step_in_words(*f.state.lesson));
+  add(panels_in_words(f));
   if (f.state.caption) add(f.state.caption->sentence.whole());
   add(f.state.notice);
   add(f.input.message);

@@ -3,6 +3,7 @@
 // in the table of panels.cpp. Its key, F1's list, Esc, the order of keys, the room it takes: all follow from the row.
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -52,6 +53,7 @@ struct Panel {
   bool (*press_other)(FrameContext&, const KeyEvent&) = nullptr;  // keys that stand in no table; true: it was one
   void (*update)(FrameContext&) = nullptr;  // once a frame, open or not; what it asks of the app is said here
   void (*follow)(State&, View) = nullptr;   // a view is shown by its key
+  std::string (*in_words)(const FrameContext&) = nullptr;  // what it says now, for those who do not see it
 };
 
 std::span<const Panel* const> panels();  // from the topmost to the lowest
@@ -68,7 +70,8 @@ void close_panels(State&, std::initializer_list<Place>);         // those that s
 void turn_panels(State&, View);                                  // a view is shown: those that tell of one follow
 
 void draw_panels(FrameContext&);
-bool covered(const FrameContext&, const Box&);  // wholly below one
-void make_room(FrameContext&);                  // in the layout, for those that are open
+std::string panels_in_words(const FrameContext&);  // a line for each that is open
+bool covered(const FrameContext&, const Box&);     // wholly below one
+void make_room(FrameContext&);                     // in the layout, for those that are open
 
 }  // namespace gbl::ui

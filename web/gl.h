@@ -19,6 +19,7 @@ namespace gbl::web {
 void clip_control(GLenum origin, GLenum depth);  // EXT_clip_control
 void read_buffer(GLenum target, void* to, size_t bytes);
 bool enable_extension(const char* name);  // of the current context: is it there?
+void finish();                            // waits, which a browser's own finish() does not
 }  // namespace gbl::web
 
 #define GBL_MISSING(name)       \
@@ -43,4 +44,5 @@ GBL_MISSING(glPopDebugGroup)
 GBL_MISSING(glPushDebugGroup)
 GBL_MISSING(glTexBuffer)
 #undef GBL_MISSING
+#define glFinish gbl::web::finish
 inline void glClipControl(GLenum origin, GLenum depth) { gbl::web::clip_control(origin, depth); }

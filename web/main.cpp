@@ -1,10 +1,12 @@
 // The page: the window of the desktop, in a browser. What it starts with stands in its address: ?preset=, ?scene=, ?lights=,
-// ?set=PATH=VALUE (repeatable), ?lesson=, ?pitfall=, ?present, or whole settings behind #, which page.js leaves in a file.
+// ?set=PATH=VALUE (repeatable), ?lesson=, ?pitfall=, ?exercise=, ?present, or whole settings behind #, which page.js leaves in a
+// file.
 #include <cstdio>
 #include <cstdlib>
 #include <emscripten.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <sstream>
@@ -12,6 +14,8 @@
 
 #include "app/lab_window.h"
 #include "renderer/base/number.h"
+#include "renderer/exercises/exercise.h"
+#include "renderer/options/settings_json.h"
 
 // clang-format off
 EM_JS(char*, gbl_asked, (const char* name), {
@@ -62,6 +66,8 @@ Arguments arguments_of_address() {
   Arguments a = plain_arguments();
   a.present = !asked("present").empty();
   a.lesson = asked("lesson"), a.pitfall = asked("pitfall");
+  if (const auto exercise = if_asked("exercise"); exercise && !std::filesystem::exists(kLink))
+    std::ofstream(kLink) << settings_text(state_of(load_exercise(*exercise)));
   if (std::filesystem::exists(kLink)) {  // says everything
     a.state = kLink;
     return a;

@@ -1,4 +1,4 @@
-"""One HTML file of the page's parts: pack.py SHELL PAGE.js PROGRAM.js PROGRAM.wasm FILE
+"""One HTML file of the page's parts: pack.py SHELL PROGRAM.js PROGRAM.wasm FILE PAGE.js...
 
 The machine code goes in compressed: a browser takes it apart in some hundredths of a second, and a page of a third of the size is
 there sooner."""
@@ -7,11 +7,11 @@ import gzip
 import pathlib
 import sys
 
-shell, script, program, code, file = map(pathlib.Path, sys.argv[1:])
+shell, program, code, file, *scripts = map(pathlib.Path, sys.argv[1:])
 text = shell.read_text()
 parts = {
     "{{{ PROGRAM }}}": program.read_text().replace("</script", "<\\/script"),
-    "{{{ PAGE }}}": script.read_text(),
+    "{{{ PAGE }}}": "".join(script.read_text() for script in scripts),
     "{{{ CODE }}}": base64.b64encode(gzip.compress(code.read_bytes(), 9, mtime=0)).decode(),
 }
 for mark, part in parts.items():

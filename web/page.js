@@ -56,6 +56,7 @@ async function start() {
   });
   await frameOf(3);
   lab.callMain([]);
+  openExercises();
   mouse('mousemove', -1, -1);  // nobody points at anything yet
 }
 
@@ -96,10 +97,18 @@ function stateOfLink() {
   }
 }
 
+// What is beside the picture stays in the address.
+function queryToKeep() {
+  const kept = new URLSearchParams();
+  for (const [name, value] of new URLSearchParams(location.search))
+    if (name === 'present' || name === 'exercise') kept.append(name, value);
+  return '?' + kept === '?' ? '' : '?' + kept;
+}
+
 function showInAddress(state) {
   shown = state;
   written = '#' + encodeURIComponent(state).replace(/%(2C|3A|7B|7D|5B|5D|2F)/g, decodeURIComponent);
-  history.replaceState(null, '', location.pathname + written);
+  history.replaceState(null, '', location.pathname + queryToKeep() + written);
 }
 
 addEventListener('hashchange', () => {

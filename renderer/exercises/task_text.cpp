@@ -22,6 +22,14 @@ std::string wrapped(const std::string& text) {
 
 std::string file_of(const Exercise& e) { return fmt::format("{}.{}", e.id, ending_of(e)); }
 
+std::string choices_text(const Exercise& e) {
+  std::string out;
+  for (const ExerciseChoice& c : e.choices) out += fmt::format("  {:<18} {}\n", c.id, c.text);
+  return out;
+}
+
+}  // namespace
+
 std::string how_to_answer(const Exercise& e) {
   switch (e.answer) {
     case AnswerKind::choice: return "Write the choice's name as \"answer\".";
@@ -53,14 +61,6 @@ std::string bounds_text(const Exercise& e) {
   if (e.answer == AnswerKind::number) out += fmt::format("  {:<26} within {:g} %\n", "the number", 100 * e.relative);
   return out;
 }
-
-std::string choices_text(const Exercise& e) {
-  std::string out;
-  for (const ExerciseChoice& c : e.choices) out += fmt::format("  {:<18} {}\n", c.id, c.text);
-  return out;
-}
-
-}  // namespace
 
 std::string task_text(const Exercise& e) {
   std::string out = fmt::format("{}: {}\n{}\n{}", e.id, e.title, fmt::format("from: {}\n", e.source), wrapped(e.task));

@@ -249,6 +249,22 @@ TEST(Chart, EnterAppliesTheSelectedPointAndEveryPointIsReached) {
   EXPECT_EQ(desk.settings, preset("start").make());
 }
 
+TEST(Chart, IsSaidInWordsForThoseWhoDoNotSeeIt) {
+  ChartDesk desk;
+  desk.add({10, 0.01, LightMethod::clustered, NormalEncoding::oct8});
+  desk.press("F3");
+  desk.frame();
+  EXPECT_NE(desk.requests.in_words.find("\nPanel chart: "), std::string::npos) << desk.requests.in_words;
+  EXPECT_EQ(desk.requests.in_words.find("Chosen: "), std::string::npos) << "none is";
+  desk.press("Right");
+  desk.frame();
+  EXPECT_NE(desk.requests.in_words.find("Chosen: "), std::string::npos) << desk.requests.in_words;
+  EXPECT_NE(desk.requests.in_words.find(", cost 10 ms"), std::string::npos) << desk.requests.in_words;
+  desk.press("F3");
+  desk.frame();
+  EXPECT_EQ(desk.requests.in_words.find("Panel chart"), std::string::npos) << "it is closed";
+}
+
 TEST(Chart, ShiftWalksTheFrontAlone) {
   ChartDesk desk;
   desk.add({1, 0.5, LightMethod::clustered, NormalEncoding::oct8});

@@ -13,68 +13,14 @@ import tempfile
 import time
 import urllib.parse
 
+import tools_in_page
 from browser import Browser, check, failures, find_chromium
-
-# Mesa's driver by way of ANGLE: four times as fast as Chromium's own on a CPU.
-FLAGS = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
-SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-PATIENCE_S = 60  # for one frame beside other work
-
-
-def frames(b):
-    return int(b.js("document.body.dataset.frames || '0'"))
-
-
-def wait_for_frames(b, more):
-    begin, now = time.monotonic(), frames(b)
-    while frames(b) < now + more and time.monotonic() - begin < PATIENCE_S:
-        time.sleep(0.05)
-    return frames(b) >= now + more
-
-
-def said(b):
-    return b.js("document.querySelector('#said').textContent.trim()")
-
-
-def picture(b):
-    return b.ask("Page.captureScreenshot", format="png", clip={"x": 40, "y": 60, "width": 500, "height": 200, "scale": 1})["data"]
-
-
-def press(b, key, code, number):
-    for kind in ("keyDown", "keyUp"):
-        text = {"text": key} if kind == "keyDown" and len(key) == 1 else {}
-        b.ask("Input.dispatchKeyEvent", type=kind, key=key, code=code, windowsVirtualKeyCode=number, **text)
-    wait_for_frames(b, 3)
-
+from page import FLAGS, SWIFTSHADER, frames, open_page, picture, press, rest, said, touch, wait_for_frames, words
 
 FILE_IN_BASE64 = """window.fileInBase64 = path => {
   lab.FS.ignorePermissions = true;
   return btoa([...lab.FS.readFile(path)].map(x => String.fromCharCode(x)).join(''));
 }"""
-
-
-def words(b):
-    return b.js("document.querySelector('#words').textContent")
-
-
-def touch(b, kind, *points):
-    b.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
-
-
-def rest(b):
-    """Until nothing moves any more: the address then says what is shown."""
-    time.sleep(0.5)
-    wait_for_frames(b, 6)
-
-
-def open_page(b, url):
-    begin = time.monotonic()
-    b.open("about:blank")  # else another # is no other page
-    b.open(url)
-    there = wait_for_frames(b, 1)
-    print(f"        first frame after {time.monotonic() - begin:.1f} s")
-    wait_for_frames(b, 5)
-    check(there and said(b) == "", f"{url.rpartition('/')[2][:60]} opens and says nothing is wrong: {said(b)[:200]}")
 
 
 def a_triangle():
@@ -271,38 +217,6 @@ def losses(b, page, shot):
     shot("restored")
 
 
-def taught(b, page, shot):
-    for address in ("?preset=exact&lights=16", "?lesson=what-is-in-a-g-buffer", "?pitfall=near-plane-cut", "?present=1&set=lights.cull=back"):
-        open_page(b, page + address)
-        shot(address.strip("?").partition("=")[0])
-    open_page(b, page + "?lesson=ten-minutes")
-    b.js("canvas.focus()")
-    seen = set()
-    for _ in range(30):
-        step = next((line for line in words(b).splitlines() if line.startswith("Lesson")), "")
-        seen.add(step)
-        press(b, "PageDown", "PageDown", 34)
-    last = max((s for s in seen if s), key=lambda s: int(s.split("step ")[1].split(" ")[0]))
-    at, of = last.split("step ")[1].split(":")[0].split(" of ")
-    check(at == of, f"a lesson is stepped through to its end: {at} of {of}")
-    open_page(b, page + "?scene=builtin:room&lights=4")
-    b.js("canvas.focus()")
-    press(b, "u", "KeyU", 85)
-    longest, begin = 0, time.monotonic()
-    while "error" not in words(b).splitlines()[0].lower() and time.monotonic() - begin < PATIENCE_S:
-        time.sleep(0.1)
-    while time.monotonic() - begin < 20:
-        before = time.monotonic()
-        wait_for_frames(b, 1)
-        longest = max(longest, time.monotonic() - before)
-    print(f"        longest frame beside the reference: {longest:.2f} s")
-    shot("error")
-    b.open("about:blank")
-    b.open(page + "?preset=nowhere")
-    wait_for_frames(b, 3)
-    check("nowhere" in said(b) and frames(b) > 2, "a preset that is not there is named, and the lab opens: " + said(b)[:120])
-
-
 def use(b, page, shot, folder, program):
     keys(b, page, shot)
     fingers(b, page, shot)
@@ -314,7 +228,7 @@ def use(b, page, shot, folder, program):
     screens(b, page, shot)
     poor_browsers(b, page)
     losses(b, page, shot)
-    taught(b, page, shot)
+    tools_in_page.use(b, page, shot)
     check(not b.complaints, f"nothing is complained of and nothing is fetched: {b.complaints[:3]}")
 
 

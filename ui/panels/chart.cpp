@@ -172,6 +172,7 @@ extern const Panel kChartPanel = {.key = "F3",
                                   .draw = draw_chart,
                                   .keys = kKeys,
                                   .make = make_panel_state<ChartState>,
-                                  .update = ask};
+                                  .update = ask,
+                                  .in_words = chart_in_words};
 
 }  // namespace gbl::ui

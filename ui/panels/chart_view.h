@@ -57,6 +57,7 @@ std::vector<Field> row_fields(const ChartInput&, const ChartView&, size_t index)
 std::string row_title(const ChartInput&, size_t index);
 std::string progress_text(const ChartInput&);  // "37/272, 4 min left"; "" = nothing to count
 std::string counts_text(const ChartInput&, const ChartView&);
+std::string chart_in_words(const FrameContext&);  // how far it is, and its chosen point, else the settings at hand
 
 void draw_chart_points(FrameContext&, Painter&, Plot&, const ChartView&);
 void use_chart_mouse(FrameContext&, const Plot&, const ChartView&);  // point, click, drag, wheel

@@ -101,4 +101,16 @@ std::string counts_text(const ChartInput& in, const ChartView& v) {
   return text;
 }
 
+std::string chart_in_words(const FrameContext& f) {
+  const ChartInput& in = chart_input(f);
+  const ChartView v = chart_view(f);
+  std::string text = fmt::format("{} {}, {}.", f.state.of<ChartState>().study, progress_text(in), counts_text(in, v));
+  const std::optional<size_t> at = v.selected ? v.selected : v.current;
+  if (!at) return text;
+  const size_t row = v.point(*at).row;
+  text += fmt::format(" {}: {}", v.selected ? "Chosen" : "Now", row_title(in, row));
+  for (const Field& field : row_fields(in, v, row)) text += fmt::format(", {} {}", field.label, field.text);
+  return text + ".";
+}
+
 }  // namespace gbl::ui

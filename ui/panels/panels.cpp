@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <fmt/format.h>
 
 #include "ui/key_spec.h"
 #include "ui/panel.h"
@@ -120,6 +121,15 @@ void draw_panels(FrameContext& f) {
     panel.draw(f, painter, box);
     end_overlay();
   }
+}
+
+std::string panels_in_words(const FrameContext& f) {
+  std::string text;
+  for (const Panel* p : kPanels)
+    if (state_of(f.state, *p).open)
+      text += fmt::format("{}Panel {}: {}.{}", text.empty() ? "" : "\n", p->id, p->help,
+                          p->in_words ? " " + p->in_words(f) : "");
+  return text;
 }
 
 bool covered(const FrameContext& f, const Box& picture) {

@@ -1,0 +1,175 @@
+"""What the lab's page teaches with: lessons, pitfalls, overlays, A and B, the chart, the reference, exercises."""
+import json
+import pathlib
+import time
+
+from browser import check
+from page import PATIENCE_S, frames, letter, open_page, picture, press, rest, said, wait_for_frames, with_control, words
+
+ANSWERS = pathlib.Path(__file__).resolve().parents[1] / "exercises" / "answers"
+
+
+def line_of(b, begin):
+    """What the words for a screen reader say in the line that begins so."""
+    return next((line for line in words(b).splitlines() if line.startswith(begin)), "")
+
+
+def wait_until(holds, seconds=PATIENCE_S):
+    begin = time.monotonic()
+    while not holds() and time.monotonic() - begin < seconds:
+        time.sleep(0.2)
+    return holds()
+
+
+def lessons(b, page, shot):
+    for address in ("?preset=exact&lights=16", "?lesson=what-is-in-a-g-buffer", "?pitfall=near-plane-cut", "?present=1&set=lights.cull=back"):
+        open_page(b, page + address)
+        shot(address.strip("?").partition("=")[0])
+    open_page(b, page + "?lesson=ten-minutes")
+    b.js("canvas.focus()")
+    seen = set()
+    for _ in range(30):
+        seen.add(line_of(b, "Lesson"))
+        press(b, "PageDown", "PageDown", 34)
+    last = max((s for s in seen if s), key=lambda s: int(s.split("step ")[1].split(" ")[0]))
+    at, of = last.split("step ")[1].split(":")[0].split(" of ")
+    check(at == of, f"a lesson is stepped through to its end: {at} of {of}")
+
+
+def overlays(b, page, shot):
+    open_page(b, page)
+    b.js("canvas.focus()")
+    first = picture(b)
+    with_control(b, "v")
+    check(line_of(b, "Panel overlays") != "", "Ctrl+V lists what can be laid over the picture")
+    for key, what in (("d", "footprint"), ("j", "wire")):
+        before = picture(b)
+        letter(b, key)
+        rest(b)
+        check(picture(b) != before, f"{what} is laid over it")
+    shot("overlays")
+    press(b, "End", "End", 35)
+    press(b, "Escape", "Escape", 27)
+    rest(b)
+    check(picture(b) == first, "and End takes all of it away")
+
+
+def comparisons(b, page, shot):
+    open_page(b, page)
+    b.js("canvas.focus()")
+    first = picture(b)
+    letter(b, "c")
+    rest(b)
+    changed = picture(b)
+    press(b, "Tab", "Tab", 9)
+    rest(b)
+    check(picture(b) == first, "Tab flips to the state before the change")
+    press(b, "Tab", "Tab", 9)
+    rest(b)
+    check(picture(b) == changed, "and back")
+    press(b, "/", "Slash", 191)
+    rest(b)
+    check(picture(b) not in (first, changed), "/ shows both on one picture")
+    shot("wipe")
+    with_control(b, "b")
+    letter(b, "t")
+    before = picture(b)
+    letter(b, "d")
+    check(wait_until(lambda: picture(b) != before), "the truth can be B, and the difference is shown")
+    rest(b)
+    shot("difference")
+
+
+def chart(b, page, shot):
+    open_page(b, page + "?scene=builtin:room&lights=16")
+    b.js("canvas.focus()")
+    press(b, "F3", "F3", 114)
+    done = wait_until(lambda: " 15/15, 1" in line_of(b, "Panel chart"), 240)
+    check(done, f"F3 measures all of the quick study: {line_of(b, 'Panel chart')[:160]}")
+    shot("chart")
+    before = picture(b)
+    press(b, "ArrowRight", "ArrowRight", 39)
+    check("Chosen" in line_of(b, "Panel chart"), f"a point is chosen and said: {line_of(b, 'Panel chart')[-200:]}")
+    press(b, "Enter", "Enter", 13)
+    rest(b)
+    check("settings changed" in words(b) and picture(b) != before, "Enter applies it")
+    # A click does so as well: each place of a grid over the plot is tried until it meets a point.
+    link = b.js("location.href")
+    places = [(x, y) for y in range(90, 460, 14) for x in range(700, 1240, 14)]
+    hit = None
+    for x, y in places:
+        b.mouse(x, y)
+        if "Chosen" in line_of(b, "Panel chart") and line_of(b, "Panel chart") != hit:
+            hit = line_of(b, "Panel chart")
+            b.mouse(x, y, "mousePressed")
+            b.mouse(x, y, "mouseReleased")
+            rest(b)
+            if b.js("location.href") != link:
+                break
+    check(b.js("location.href") != link, "and so does a click on a point")
+    shot("chart_applied")
+
+
+def reference(b, page, shot):
+    open_page(b, page + "?scene=builtin:room&lights=4")
+    b.js("canvas.focus()")
+    letter(b, "u")
+    begin, longest = time.monotonic(), 0
+    wait_until(lambda: "error" in words(b).splitlines()[0].lower())
+    while time.monotonic() - begin < 20:
+        before = time.monotonic()
+        wait_for_frames(b, 1)
+        longest = max(longest, time.monotonic() - before)
+    print(f"        longest frame beside the reference: {longest:.2f} s")
+    shot("error")
+
+
+def verdict_of(b, answer):
+    """What the page says of an answer's file, and how long it stood still for that."""
+    b.js(f"document.getElementById('answer').value = {json.dumps(answer)}, document.getElementById('check').click()")
+    begin = time.monotonic()
+    wait_until(lambda: "checking" not in b.js("document.getElementById('verdict').textContent"), 120)
+    return b.js("document.getElementById('verdict').textContent"), time.monotonic() - begin
+
+
+def exercises(b, page, shot):
+    open_page(b, page + "?exercise=quad-space")
+    names = b.js("[...document.getElementById('which').options].map(o => o.value).join(' ')").split()
+    check(sorted(names) == sorted(f.name for f in ANSWERS.iterdir()), f"all {len(names)} exercises are offered")
+    check("?exercise=quad-space" in b.js("location.href"), "and the address names the one that is open")
+    shown = picture(b)
+    longest = 0
+    for name in names:
+        b.js(f"document.getElementById('which').value = '{name}', document.getElementById('which').onchange()")
+        rest(b)
+        for file in sorted((ANSWERS / name).iterdir()):
+            verdict, seconds = verdict_of(b, file.read_text())
+            longest = max(longest, seconds)
+            right = verdict.splitlines()[0] == "right"
+            check(right == (file.stem == "right"), f"{name}, {file.stem}: {verdict[:100]!r}")
+    print(f"        longest check of an answer: {longest:.1f} s")
+    b.js("document.getElementById('which').value = 'quad-space', document.getElementById('which').onchange()")
+    rest(b)
+    check(picture(b) == shown, "an exercise's picture is the same after answers were judged")
+    b.js("document.querySelector('#helpers button').click()")
+    check('"answer": "' in b.js("document.getElementById('answer').value"), "a choice is made by a click")
+    check("no JSON" in verdict_of(b, "nonsense")[0] or "quad-space.json" in verdict_of(b, "nonsense")[0], "what is no answer is refused with its place")
+    shot("exercise")
+
+
+def bad_addresses(b, page):
+    for query, name in (("?preset=nowhere", "nowhere"), ("?exercise=quad-spaec", "quad-space")):
+        b.open("about:blank")
+        b.open(page + query)
+        wait_for_frames(b, 3)
+        check(name in said(b) and frames(b) > 2, f"{query} is named, and the lab opens: {said(b)[:120]}")
+
+
+def use(b, page, shot):
+    lessons(b, page, shot)
+    overlays(b, page, shot)
+    comparisons(b, page, shot)
+    chart(b, page, shot)
+    reference(b, page, shot)
+    exercises(b, page, shot)
+    bad_addresses(b, page)
