@@ -24,8 +24,9 @@ class Browser:
         self.next_id = 0
         self.session = None
         self.complaints = []
-        target = self.ask("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.ask("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        self.own = ("file:", "data:", "about:")  # what a page may ask for
+        self.target = self.ask("Target.createTarget", url="about:blank")["targetId"]
+        self.session = self.ask("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.ask(domain + ".enable")
 
@@ -52,6 +53,14 @@ class Browser:
                     raise RuntimeError(f"{method}: {answer['error']}")
                 return answer["result"]
 
+    def ask_browser(self, method, **params):
+        """Of the browser and not of its page."""
+        page, self.session = self.session, None
+        try:
+            return self.ask(method, **params)
+        finally:
+            self.session = page
+
     def note(self, m):
         if m.get("method") == "Runtime.exceptionThrown":
             self.complaints.append(json.dumps(m["params"]["exceptionDetails"])[:400])
@@ -59,7 +68,7 @@ class Browser:
             self.complaints.append(m["params"]["entry"]["text"])
         if m.get("method") == "Network.requestWillBeSent":
             url = m["params"]["request"]["url"]
-            if not url.startswith(("file:", "data:", "about:")):
+            if not url.startswith(self.own):
                 self.complaints.append("asked the network for " + url)
 
     def js(self, expression):

@@ -4,12 +4,15 @@
 With --shots it leaves pictures of what it saw: to be looked at. Exit code 77: there is no Chromium here."""
 import argparse
 import base64
+import functools
+import http.server
 import json
 import pathlib
 import struct
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import urllib.parse
 
@@ -133,6 +136,65 @@ def files(b, page, shot, folder):
         check(what in said(b) and frames(b) > 2, f"#{fragment} is refused, and the lab opens: {said(b)[:120]}")
 
 
+class Server:
+    """The page as a course's site has it."""
+
+    def __init__(self, folder):
+        self.asked = asked = []
+
+        class Handler(http.server.SimpleHTTPRequestHandler):
+            def do_GET(self):
+                asked.append(self.path)
+                super().do_GET()
+
+            def log_message(self, *_):
+                pass
+
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=str(folder)))
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def url(self, name):
+        return f"http://127.0.0.1:{self.server.server_port}/{name}"
+
+
+def served(b, file, shot, folder):
+    """On a site a whole folder can be dropped; from disk a browser does not let the page read it."""
+    model = folder / "gallery" / "model"
+    (model / "data").mkdir(parents=True)
+    glb = a_triangle()
+    text = json.loads(glb[20:20 + struct.unpack("<I", glb[12:16])[0]])
+    text["buffers"][0]["uri"] = "data/corners.bin"
+    (model / "triangle.gltf").write_text(json.dumps(text))
+    (model / "data" / "corners.bin").write_bytes(glb[-36:])
+    site = Server(file.parent)
+    b.own += (site.url(""),)
+    open_page(b, site.url(file.name))
+    first = picture(b)
+    drop(b, model)
+    check("triangle.gltf" in words(b) and picture(b) != first, f"a folder dropped on a site is a model: {words(b)[-120:]!r}")
+    shot("folder")
+    check(site.asked == ["/" + file.name], f"and nothing but the page is fetched from it: {site.asked}")
+
+
+def hidden(b, page):
+    """Another tab lies over it: it draws nothing, and goes on when it is seen again."""
+    open_page(b, page)
+    b.js("canvas.focus()")
+    press(b, " ", "Space", 32)  # the lights move
+    moving = wait_for_frames(b, 2)
+    own = b.target
+    other = b.ask_browser("Target.createTarget", url="about:blank")["targetId"]
+    b.ask_browser("Target.activateTarget", targetId=other)
+    time.sleep(1)
+    state, before = b.js("document.visibilityState"), frames(b)
+    time.sleep(2)
+    after = frames(b)
+    b.ask_browser("Target.closeTarget", targetId=other)
+    b.ask_browser("Target.activateTarget", targetId=own)
+    check(moving and state == "hidden" and after == before, f"a page that is {state} draws nothing: {after - before} frames in two seconds")
+    check(wait_for_frames(b, 2), "and goes on when it is seen again")
+
+
 def pixels(file, size):
     """Rows of RGB bytes, of the upper left part of this size."""
     out = subprocess.run(["convert", file, "-crop", f"{size[0]}x{size[1]}+0+0", "+repage", "-depth", "8", "rgb:-"], check=True, capture_output=True)
@@ -217,7 +279,8 @@ def losses(b, page, shot):
     shot("restored")
 
 
-def use(b, page, shot, folder, program):
+def use(b, file, shot, folder, program):
+    page = file.as_uri()
     keys(b, page, shot)
     fingers(b, page, shot)
     files(b, page, shot, folder)
@@ -228,6 +291,8 @@ def use(b, page, shot, folder, program):
     screens(b, page, shot)
     poor_browsers(b, page)
     losses(b, page, shot)
+    served(b, file, shot, folder)
+    hidden(b, page)
     tools_in_page.use(b, page, shot)
     check(not b.complaints, f"nothing is complained of and nothing is fetched: {b.complaints[:3]}")
 
@@ -241,7 +306,7 @@ def main():
     chromium = find_chromium()
     if not chromium:
         return 77
-    page, program = asked.page.resolve().as_uri(), asked.program and asked.program.resolve()
+    page, program = asked.page.resolve(), asked.program and asked.program.resolve()
     with tempfile.TemporaryDirectory() as temporary:
         browser = Browser(chromium, pathlib.Path(temporary) / "profile", *FLAGS)
 
@@ -261,7 +326,7 @@ def main():
                 print("with SwiftShader, Chromium's own driver:")
                 browser.ask("Emulation.setDeviceMetricsOverride", width=1280, height=720, deviceScaleFactor=1, mobile=False)
                 # Another rasteriser: its edges lie elsewhere. Measured: 0.14 % of the pixels; a wrong method is off by far more.
-                pictures(browser, page, pathlib.Path(temporary), program, only=("start", "exact"), tolerance=8, most=0.01)
+                pictures(browser, page.as_uri(), pathlib.Path(temporary), program, only=("start", "exact"), tolerance=8, most=0.01)
             finally:
                 browser.close()
     print(f"{len(failures)} checks failed" if failures else "all checks hold")
