@@ -9,9 +9,17 @@
 namespace gbl::ui {
 namespace {
 
-// Key, name, format and bytes on the picture's top edge. Where the panel is too narrow for all, the attachment's
-// name goes first: its format and bytes are what the lecture is about.
-void draw_badge(Painter& p, const Box& panel, const ViewRow& view, std::string stored, const PanelLook& look) {
+// Key, name, format and bytes on the picture's top edge.
+struct Badge {
+  std::string_view key, name;
+  std::string stored;
+  float px, pad;
+  Box back;
+};
+
+// Where the panel is too narrow for all, the attachment's name goes first: its format and bytes are what the lecture is
+// about.
+Badge badge_of(const Box& panel, const ViewRow& view, std::string stored, const PanelLook& look) {
   const std::string_view name = look.name.empty() ? view.label : look.name;
   const float pad = std::round(look.px * 0.4f);
   const float room = panel.width() - 6 * pad;
@@ -22,16 +30,20 @@ void draw_badge(Painter& p, const Box& panel, const ViewRow& view, std::string s
   if (width(look.px) > room && space != std::string::npos) stored.erase(0, space + 1);
   float px = look.px;
   while (px > kSmallestPx && width(px) > room) px -= 1;
-  p.fit(name, {room, panel.height()}, px, false);  // notes a name that no size fits
+  const ImVec2 at{panel.min.x + 2, panel.min.y + 2};
+  const Box back{at, {at.x + width(px) + 5 * pad, at.y + std::round(px * 1.28f) + 2}};
+  return {view.key, name, std::move(stored), px, pad, back};
+}
 
-  const float height = std::round(px * 1.28f) + 2;
-  const Box back{{panel.min.x + 2, panel.min.y + 2}, {panel.min.x + 2 + width(px) + 5 * pad, panel.min.y + 2 + height}};
-  p.fill(back, on_picture().backing);
-  p.fill({back.min, {back.min.x + pad, back.max.y}}, pass_colour(view.written_by, on_picture()));
-  ImVec2 at{back.min.x + 2 * pad, back.min.y + 1 + above_text(px)};
-  if (*view.key) at.x += p.text(at, px, on_picture().accent, view.key).x + pad;
-  at.x += p.text(at, px, on_picture().text, name).x + 2 * pad;
-  p.text(at, px, on_picture().dim, stored);
+void draw_badge(Painter& p, const Box& panel, const ViewRow& view, std::string stored, const PanelLook& look) {
+  const Badge b = badge_of(panel, view, std::move(stored), look);
+  p.fit(b.name, {panel.width() - 6 * b.pad, panel.height()}, b.px, false);  // notes a name that no size fits
+  p.fill(b.back, on_picture().backing);
+  p.fill({b.back.min, {b.back.min.x + b.pad, b.back.max.y}}, pass_colour(view.written_by, on_picture()));
+  ImVec2 at{b.back.min.x + 2 * b.pad, b.back.min.y + 1 + above_text(b.px)};
+  if (!b.key.empty()) at.x += p.text(at, b.px, on_picture().accent, b.key).x + b.pad;
+  at.x += p.text(at, b.px, on_picture().text, b.name).x + 2 * b.pad;
+  p.text(at, b.px, on_picture().dim, b.stored);
 }
 
 void draw_missing(Painter& p, const Box& panel, const std::string& why, const PanelLook& look) {
@@ -54,6 +66,12 @@ Box picture_box(const Box& panel, glm::ivec2 picture) {
   const ImVec2 min{std::round(panel.min.x + (panel.width() - size.x) / 2),
                    std::round(panel.min.y + (panel.height() - size.y) / 2)};
   return {min, {min.x + std::round(size.x), min.y + std::round(size.y)}};
+}
+
+Box badge_box(const Box& panel, View v, const Settings& s, float px) {
+  PanelLook look;
+  look.px = px;
+  return badge_of(panel, row(v), stored_as(v, s), look).back;
 }
 
 Legend legend_now(View v, const Settings& s, const Input& in) {

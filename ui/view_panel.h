@@ -28,6 +28,9 @@ Legend legend_now(View, const Settings&, const Input&);
 
 void draw_view_panel(Painter&, const Box&, View, const ViewImage&, const Settings&, const Legend&, const PanelLook&);
 
+// Where the badge of a panel that shows its picture stands; px as in its look.
+Box badge_box(const Box& panel, View, const Settings&, float px);
+
 // Where the picture stands in its panel: all of it, unless their shapes differ.
 Box picture_box(const Box& panel, glm::ivec2 picture);
 

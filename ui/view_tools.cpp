@@ -7,6 +7,7 @@
 #include "ui/histogram.h"
 #include "ui/pixel_numbers.h"
 #include "ui/state.h"
+#include "ui/view_panel.h"
 
 namespace gbl::ui {
 namespace {
@@ -87,16 +88,18 @@ bool tools_shown(const FrameContext& f) {
   return !f.state.hidden && why_missing(v, f.stored).empty() && !covered(f, f.layout.main_box());
 }
 
-// Right to left along the top edge of the large picture.
+// Right to left along the top edge of the large picture, as many as there is room for beside its name. Each has its key, too.
 template <class Each>
 void for_each_tool(const FrameContext& f, Each each) {
   const Box& panel = f.layout.main_box();
   const float px = f.type.small, pad = std::round(px * 0.45f), height = line_height(px) + 2;
+  const float name = badge_box(panel, f.layout.main, f.stored, f.type.body).max.x;
   float right = panel.max.x - std::max(4.0f, std::round(panel.width() / 200));
   for (auto t = std::rbegin(kTools); t != std::rend(kTools); ++t) {
     if (needs_truth(f.layout.main) && !t->of_truth) continue;
     if (t->three_channels && row(f.layout.main).values.components != 3) continue;
     const float width = text_size(t->label, px).x + 2 * pad;
+    if (right - width < name) break;
     each(*t, Box{{right - width, panel.min.y + 4}, {right, panel.min.y + 4 + height}});
     right -= width + 2;
   }

@@ -8,6 +8,7 @@
 #include "tests/ui/ui_desk.h"
 #include "ui/camera_motion.h"
 #include "ui/sheet.h"
+#include "ui/view_panel.h"
 
 namespace gbl::ui {
 namespace {
@@ -410,6 +411,22 @@ TEST(Glides, AreJumpsWhereLessMotionIsWanted) {
   desk.press("i");
   EXPECT_FALSE(desk.settings.camera == before);
   EXPECT_FALSE(desk.ui.moving(desk.settings));
+}
+
+// The buttons of the large view give way to its name: a click on the name is none of theirs.
+TEST(ViewTools, LeaveTheNameFreeInAWindowOfAnyWidth) {
+  for (const float width : {1600.0f, 900.0f, 700.0f, 520.0f, 420.0f}) {
+    Desk desk({width, 0.6f * width});
+    desk.press("3");
+    const Box name = badge_box({{0, 0}, {width, width}}, View::normal, desk.settings, kSmallestPx);
+    for (float x = name.min.x + 2; x < name.max.x - 2; x += 6) {
+      const Settings before = desk.settings;
+      desk.click({x, name.min.y + 6});
+      EXPECT_EQ(desk.settings, before) << width << " wide, at " << x;
+      EXPECT_FALSE(desk.ui.is_open("pixel")) << width << " wide, at " << x;
+      desk.seconds += 1;
+    }
+  }
 }
 
 TEST(InWords, SayTheViewThePixelTheStepAndWhatIsWrong) {
