@@ -35,6 +35,7 @@ double heap_mib() {
 
 class LongRuns : public GlTest {
  protected:
+  static void SetUpTestSuite() { draw_without_threads(); }
   void SetUp() override {
     GlTest::SetUp();
     fmt::print(

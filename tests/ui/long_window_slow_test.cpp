@@ -21,6 +21,7 @@ constexpr double kWarmUpS = 1200;
 
 class LongWindow : public ::testing::Test {
  protected:
+  static void SetUpTestSuite() { test::draw_without_threads(); }
   static std::vector<std::string> keys() {
     std::vector<std::string> out;
     for (const ui::KeyRow& row : ui::key_rows())
