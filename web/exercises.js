@@ -51,7 +51,7 @@ function showExercise(id) {
 function chooseExercise(id) {
   if (!showExercise(id)) return;
   history.replaceState(null, '', '?exercise=' + id);
-  give('/link.json', new TextEncoder().encode(exercise.task.state));
+  give('/' + id + '.json', new TextEncoder().encode(exercise.task.state));
 }
 
 // Nothing is drawn meanwhile, so that is said first. A shader that never ends has the browser take the device back.

@@ -33,6 +33,7 @@ EM_JS(void, gbl_finish, (), {
     gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA8, 1, 1);
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.gblAnchor);
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, gl.gblTexel);
+    gl.canvas.addEventListener('webglcontextlost', () => { gl.gblAnchor = null; }, {once: true});
   }
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.gblAnchor);
   gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
