@@ -16,6 +16,7 @@
 #include "app/viewer.h"
 #include "app/window.h"
 #include "renderer/base/files.h"
+#include "renderer/base/memory.h"
 #include "renderer/base/threads.h"
 #include "renderer/gbuffer/layout_file.h"
 #include "renderer/gl/gl.h"
@@ -267,7 +268,7 @@ class Loop {
     if (const Settings now = wherever(settings_); !(now == in_address_)) show_in_address(in_address_ = now);
   }
 
-  void stir() { quiet_frames_ = 0, stirred_s_ = glfwGetTime(); }
+  void stir() { quiet_frames_ = 0, stirred_s_ = glfwGetTime(), tidy_ = false; }
 
   // What is on the screen is drawn already, and nothing can change it but an event, a file that is saved, or a moment
   // that was asked for. Then only files are looked at, and no processor works for a window that nobody touches.
@@ -275,9 +276,12 @@ class Loop {
     const double now = glfwGetTime();
     const bool settled = quiet_frames_ >= kSettledFrames && now - stirred_s_ > kSettledSeconds;
     if (!settled || now >= wakes_s_ || ImGui::GetIO().WantTextInput || viewer_.busy()) return false;
-    if (!viewer_.shaders_saved() && !keep_session(now) && !take_saved_layout()) return true;
-    stir();
-    return false;
+    if (viewer_.shaders_saved() || keep_session(now) || take_saved_layout()) {
+      stir();
+      return false;
+    }
+    if (!std::exchange(tidy_, true)) return_free_pages();
+    return true;
   }
 
   void save(const ui::Figure& figure, glm::ivec2 size) {
@@ -324,6 +328,7 @@ class Loop {
   double touched_s_ = glfwGetTime();  // by a hand; that it was opened counts
   double stirred_s_ = 0;              // when anything happened last
   double wakes_s_ = kNever;           // when the window changes by itself
+  bool tidy_ = false;                 // nothing has happened since memory was given back
   Settings in_address_;               // what it started with stands there already
   std::string in_words_;
 };

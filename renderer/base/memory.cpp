@@ -16,6 +16,12 @@ void return_freed_memory() {
 #endif
 }
 
+void return_free_pages() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 uint64_t resident_bytes() {
   std::ifstream statm("/proc/self/statm");
   uint64_t pages = 0, resident = 0;

@@ -32,7 +32,9 @@ class LongRun {
     play(start_, showing({View::final}));
     save_picture(start_, {});
     save_layers(start_, {});
-    for (const char* scene : {"builtin:terrain", "builtin:room"}) use_what_is_made_once(scene);
+    use_what_is_made_once("builtin:terrain", LightSource::generated);  // points
+    use_what_is_made_once("builtin:room", LightSource::generated);
+    use_what_is_made_once("builtin:room", LightSource::scene);  // and a spot
   }
 
   // Every scene once in an order of its own, and something in each; then back.
@@ -141,11 +143,11 @@ class LongRun {
     return opened;
   }
   // The meshes of light volumes, what methods keep from one frame to the next, and a timer for every view of a frame.
-  void use_what_is_made_once(const std::string& scene) {
+  void use_what_is_made_once(const std::string& scene, LightSource source) {
     const auto opened = open(scene);
     ASSERT_TRUE(opened);
     Settings s = opened->settings;
-    s.size = {64, 36}, s.lights.source = LightSource::generated;
+    s.size = {64, 36}, s.lights.source = source;
     ui::Requests all;
     all.visible.fill(true);
     for (const char* path : {"lights.method", "lights.volume.level"})
@@ -156,6 +158,12 @@ class LongRun {
       }
     for (const View v : frame_views()) {  // of the large one the numbers are asked
       s.view.main = row(v).id;
+      set_overlay(s.view.overlays, row(v).id, 0.5);
+      frame(s, all);
+    }
+    constexpr int kFramesUnderWay = 4;
+    for (int k = 0; k < kFramesUnderWay; ++k) {
+      s.time_s += 0.1;
       frame(s, all);
     }
   }

@@ -166,7 +166,7 @@ void WindowDesk::wait_until_drawn() {
 
 // The program draws at full pace while anything happens and is nearly asleep else (a look every 250 ms): it rests when
 // neither it nor the server has computed for longer than a frame's pause. A study at work never rests.
-void WindowDesk::wait_until_at_rest() const {
+void WindowDesk::wait_until_at_rest(std::chrono::seconds most) const {
   constexpr auto kLongerThanAPause = 50ms;
   uint64_t computed_ns = 0;
   auto since = std::chrono::steady_clock::now();
@@ -178,7 +178,7 @@ void WindowDesk::wait_until_at_rest() const {
         if (program.awake || server.awake || sum_ns != computed_ns) computed_ns = sum_ns, since = now;
         return now - since >= kLongerThanAPause;
       },
-      2s);
+      most);
 }
 
 void WindowDesk::press(const std::string& key) {
@@ -242,8 +242,8 @@ int WindowDesk::ended(const char* why_not) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-Figure WindowDesk::figure(const char* key) {
-  wait_until_at_rest();
+Figure WindowDesk::figure(const char* key, std::chrono::seconds most) {
+  wait_until_at_rest(most);
   const fs::path folder = folder_ / "out";
   std::error_code ignored;
   fs::remove_all(folder, ignored);  // what an earlier press has saved late

@@ -1,6 +1,7 @@
 #pragma once
 // A real window for a test: an X server of its own, the program in it, keys sent as a user would, and what it did read
 // back from the pictures that F12 saves (they carry the settings).
+#include <chrono>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <optional>
@@ -39,9 +40,10 @@ class WindowDesk {
   void hold(const std::string& key, int milliseconds);
   void resize(glm::ivec2);
   void type(const std::string& text);
-  int close();                                              // by its key; the program's exit code
-  int lose_display();                                       // its X server is killed; the program's exit code
-  Figure figure(const char* key = "shift+F12");             // presses F12 and reads the file it saved
+  int close();         // by its key; the program's exit code
+  int lose_display();  // its X server is killed; the program's exit code
+  // Presses F12 and reads the file it saved: what is shown once the window rests, or after so long.
+  Figure figure(const char* key = "shift+F12", std::chrono::seconds most = std::chrono::seconds(2));
   void keep(const std::string& name, const Figure&) const;  // a picture to look at, in the build folder
 
  private:
@@ -50,7 +52,7 @@ class WindowDesk {
   int ended(const char* why_not);  // waits; the exit code
   std::string find_window() const;
   void wait_until_drawn();
-  void wait_until_at_rest() const;
+  void wait_until_at_rest(std::chrono::seconds most = std::chrono::seconds(2)) const;
   std::filesystem::path folder_;  // the program's working folder
   std::filesystem::path state_;
   std::string display_, window_, why_not_, missing_;
