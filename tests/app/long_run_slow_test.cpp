@@ -11,19 +11,22 @@ namespace {
 struct Held {
   double seconds, resident_mib, heap_mib;
   std::array<int, gl::kKinds> names;
-  std::map<std::string, int> textures;  // by label
+  std::map<std::string, int> labels;  // of textures and buffers: how many bear each
 };
 
 // OpenGL's names are small numbers, used again when they are free.
-std::map<std::string, int> labelled_textures() {
+std::map<std::string, int> labels_in_use() {
   constexpr GLuint kMostNames = 1 << 14;
   std::map<std::string, int> out;
-  for (GLuint id = 1; id < kMostNames; ++id) {
-    if (!glIsTexture(id)) continue;
+  const auto add = [&](const char* kind, GLenum identifier, GLuint id) {
     char label[64] = "";
     if (gl::device().features.has(Feature::debug_labels))
-      glGetObjectLabel(GL_TEXTURE, id, sizeof label, nullptr, label);
-    ++out[label];
+      glGetObjectLabel(identifier, id, sizeof label, nullptr, label);
+    ++out[fmt::format("{} {}", kind, label)];
+  };
+  for (GLuint id = 1; id < kMostNames; ++id) {
+    if (glIsTexture(id)) add("texture", GL_TEXTURE, id);
+    if (glIsBuffer(id)) add("buffer", GL_BUFFER, id);
   }
   return out;
 }
@@ -54,7 +57,7 @@ class LongRuns : public GlTest {
   }
   const Held& record() {
     return_free_pages();  // as a window that rests
-    Held now{seconds(), resident_mib(getpid()), heap_mib(), {}, labelled_textures()};
+    Held now{seconds(), resident_mib(getpid()), heap_mib(), {}, labels_in_use()};
     for (size_t k = 0; k < gl::kKinds; ++k) now.names[k] = gl::live_names(static_cast<gl::Kind>(k));
     records_.push_back(now);
     fmt::print("{:10.0f}{:8}{:10.1f}{:10.1f}  {}\n", now.seconds, records_.size() - 1, now.resident_mib, now.heap_mib,
@@ -101,7 +104,7 @@ TEST_F(LongRuns, NothingGrowsLeaksOrChanges) {
   EXPECT_LE(growth_of(&Held::heap_mib), 0.02);
   for (const Held& h : after_warm_up(records_)) {
     EXPECT_EQ(h.names, records_.back().names);
-    EXPECT_EQ(differing(h.textures, records_.back().textures), "");
+    EXPECT_EQ(differing(h.labels, records_.back().labels), "");
   }
   fmt::print("{} settings drawn, {} refused on purpose; resident {:+.2f} %, heap {:+.2f} %\n", run.drawn(),
              run.refused(), 100 * growth_of(&Held::resident_mib), 100 * growth_of(&Held::heap_mib));

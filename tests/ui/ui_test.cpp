@@ -419,7 +419,9 @@ TEST(ViewTools, LeaveTheNameFreeInAWindowOfAnyWidth) {
     Desk desk({width, 0.6f * width});
     desk.press("3");
     const Box name = badge_box({{0, 0}, {width, width}}, View::normal, desk.settings, kSmallestPx);
-    for (float x = name.min.x + 2; x < name.max.x - 2; x += 6) {
+    constexpr int kPlaces = 16;
+    for (int k = 1; k < kPlaces; ++k) {
+      const float x = name.min.x + name.width() * static_cast<float>(k) / kPlaces;
       const Settings before = desk.settings;
       desk.click({x, name.min.y + 6});
       EXPECT_EQ(desk.settings, before) << width << " wide, at " << x;
