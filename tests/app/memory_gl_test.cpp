@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "tests/gltf/gltf_fixture.h"
+#include "tests/sanitized.h"
 #include "tests/test_paths.h"
 #include "tests/test_support.h"
 
@@ -52,9 +53,7 @@ double peak_mb_of(Work work) {
 }
 
 TEST(Memory, AModelTakesFourTimesItsFileAndTheProgram) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "a sanitizer keeps what is freed";
-#endif
+  if (kSanitized) GTEST_SKIP() << "a sanitizer keeps what is freed";
   const TemporaryFolder folder("memory");
   const std::string file = (folder / "grid.glb").string(), out = (folder / "out").string(), gbufferlab = program();
   peak_mb_of([&] {

@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/random.h"
 #include "tests/gltf/gltf_fixture.h"
+#include "tests/sanitized.h"
 
 namespace gbl::test {
 namespace {
@@ -91,7 +92,7 @@ double seconds_to_load(const GltfFile& file, size_t instances) {
 }
 
 constexpr int kMany = 50'000;
-constexpr double kSeconds = 8;  // a few, on a slow and busy machine
+constexpr double kSeconds = 8 * kSlowdown;  // a few, on a slow and busy machine
 
 TEST(GltfMutation, FiftyThousandNodes) {
   GltfFile wide = triangle_file();
