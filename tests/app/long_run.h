@@ -142,7 +142,8 @@ class LongRun {
     EXPECT_TRUE(opened) << scene;
     return opened;
   }
-  // The meshes of light volumes, what methods keep from one frame to the next, and a timer for every view of a frame.
+  // The meshes of light volumes, what methods keep from one frame to the next, what is read back, and a timer for every
+  // view of a frame.
   void use_what_is_made_once(const std::string& scene, LightSource source) {
     const auto opened = open(scene);
     ASSERT_TRUE(opened);
@@ -161,6 +162,13 @@ class LongRun {
       set_overlay(s.view.overlays, row(v).id, 0.5);
       frame(s, all);
     }
+    for (const View v : {View::reference, View::error}) {
+      s.view.main = row(v).id;
+      play(s, showing({v}), 20);
+    }
+    s.view.main = row(View::final).id;
+    probe(s, all), print_numbers(s, all), lock(s, all), look_from_outside(s, all);
+    compare_settings(s, all), compare_truth(s, all), compare_picture(s, all), compare_layers(s, all);
     constexpr int kFramesUnderWay = 4;
     for (int k = 0; k < kFramesUnderWay; ++k) {
       s.time_s += 0.1;

@@ -14,9 +14,9 @@ struct Held {
   std::map<std::string, int> labels;  // of textures and buffers: how many bear each
 };
 
-// OpenGL's names are small numbers, used again when they are free.
+// Mesa takes names that were free for long before new ones, if ever: half an hour takes some ten thousands.
 std::map<std::string, int> labels_in_use() {
-  constexpr GLuint kMostNames = 1 << 14;
+  constexpr GLuint kMostNames = 1 << 20;
   std::map<std::string, int> out;
   const auto add = [&](const char* kind, GLenum identifier, GLuint id) {
     char label[64] = "";
