@@ -9,8 +9,8 @@ namespace gbl {
 // 1300 after minutes of use. To be called once, at the start. Nothing where the C library is another.
 void return_freed_memory();
 
-// What is free inside of the heap goes back as well: for a moment when nobody waits, some ten milliseconds for a heap of
-// half a gigabyte. Without it a window that is used for half an hour holds a third more than it needs.
+// What is free inside of the heap goes back as well: for a moment when nobody waits, some 40 ms for a heap of half a
+// gigabyte. Without it a window that is used for half an hour holds a third more than it needs.
 void return_free_pages();
 
 uint64_t resident_bytes();  // of this process now; 0 where the system does not say

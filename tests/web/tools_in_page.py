@@ -165,15 +165,16 @@ def exercises(b, page, shot):
         for file in sorted((ANSWERS / name).iterdir()):
             verdict, seconds = verdict_of(b, file.read_text())
             longest = max(longest, seconds)
-            right = verdict.splitlines()[0] == "right"
-            check(right == (file.stem == "right"), f"{name}, {file.stem}: {verdict[:100]!r}")
+            meant = "right" if file.stem == "right" else "wrong"
+            check(verdict.splitlines()[0] == meant, f"{name}, {file.stem}: {verdict[:100]!r}")
     print(f"        longest check of an answer: {longest:.1f} s")
     b.js("document.getElementById('which').value = 'quad-space', document.getElementById('which').onchange()")
     rest(b)
     check(picture(b) == shown, "an exercise's picture is the same after answers were judged")
     b.js("document.querySelector('#helpers button').click()")
-    check('"answer": "' in b.js("document.getElementById('answer').value"), "a choice is made by a click")
-    check("no JSON" in verdict_of(b, "nonsense")[0] or "quad-space.json" in verdict_of(b, "nonsense")[0], "what is no answer is refused with its place")
+    check('"answer": "view"' in b.js("document.getElementById('answer').value"), "a choice is made by a click")
+    refused, _ = verdict_of(b, "nonsense")
+    check("quad-space.json:1:" in refused, f"what is no answer is refused with its place: {refused!r}")
     shot("exercise")
 
 
