@@ -66,6 +66,12 @@ std::vector<float> read_depth(const Texture& t) {
   return out;
 }
 
+AsyncBytes::AsyncBytes() : buffer_(Buffer::make()) {
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());  // a name becomes a buffer, which can be labelled, when it is bound
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+  set_label(GL_BUFFER, buffer_.id(), "read-back");
+}
+
 AsyncBytes::~AsyncBytes() { drop(); }
 
 void AsyncBytes::drop() {
@@ -74,7 +80,6 @@ void AsyncBytes::drop() {
 }
 
 void AsyncBytes::start(std::string label, size_t bytes, const std::function<void()>& read) {
-  if (!buffer_) buffer_ = Buffer::make();
   drop();
   label_ = std::move(label);
   state_pixel_storage();

@@ -21,7 +21,7 @@ std::vector<float> read_depth(const Texture&);  // window depth, one a texel
 // A read-back under way: start() never waits, take() gives the data once it has arrived.
 class AsyncBytes {
  public:
-  AsyncBytes() = default;
+  AsyncBytes();  // makes its buffer, without storage, so that use makes no name of OpenGL
   ~AsyncBytes();
   AsyncBytes(const AsyncBytes&) = delete;
   // `read` calls glReadPixels with offsets into the bound buffer. Replaces what is under way.

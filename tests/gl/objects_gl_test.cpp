@@ -126,6 +126,17 @@ struct OneTexel {
   }
 };
 
+// What is first asked for late in a lecture then adds no name late: a count that grows is a leak.
+TEST_F(GlObjects, AReadMakesNoName) {
+  const gl::Texture texture = gl::make_texture({.format = Format::rgba32f, .label = "one-texel"});
+  gl::AsyncRead read;
+  const int live = gl::live_names(gl::Kind::buffer);
+  read.start(texture);
+  EXPECT_EQ(gl::live_names(gl::Kind::buffer), live);
+  EXPECT_TRUE(read.take(true));
+  EXPECT_EQ(gl::live_names(gl::Kind::buffer), live);
+}
+
 TEST_F(GlObjects, AFailedWaitIsAnErrorAndTheNextReadIsRight) {
   OneTexel one;
   {
