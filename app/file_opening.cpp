@@ -73,7 +73,8 @@ FileOpening rig(const std::string& file) {
 }
 
 FileOpening state(const std::string& file, const DeviceLimits& limits) {
-  const Settings s = read_state(file);
+  const Nearest here = nearest_with(limits.features, read_state(file));
+  const Settings& s = here.settings;
   Settings without_file = s;
   without_file.layout_file.clear();
   require_valid(without_file, limits);
@@ -82,6 +83,7 @@ FileOpening state(const std::string& file, const DeviceLimits& limits) {
   if (!s.layout_file.empty())
     said += fmt::format(", but for its layout file, which is shader text; to run that: --layout-file {}",
                         path_of_layout_file(s.layout_file));
+  for (const std::string& sentence : here.sentences) said += "; " + sentence;
   return {.file = file,
           .scene = s.scene,
           .settings =

@@ -34,8 +34,8 @@ struct FileOpening {
 
 // Of a scene by its name, "builtin:NAME" or a model's file.
 FileOpening scene_opening(const std::string& name);
-// Of a model, settings, a picture or a rig, as what it is. Error(bad_input) for anything else, and for what this device
-// cannot draw; the scene is not looked at yet.
+// Of a model, settings, a picture or a rig, as what it is. What this device lacks gives way to what it has, and that is
+// said. Error(bad_input) for anything else, and for what no device can draw; the scene is not looked at yet.
 FileOpening opening_of(const std::string& file, const DeviceLimits&);
 
 }  // namespace gbl

@@ -93,13 +93,15 @@ class Loop {
         keeper_(keeper),
         session_(keeper.found()),
         remembered_(is_remembered(a)),
-        settings_(std::move(start.asked.settings)),
-        ui_(settings_, a.present),
         lab_(without_of(a)),
+        nearest_(nearest_with(lab_.limits().features, std::move(start.asked.settings))),
+        settings_(nearest_.settings),
+        ui_(settings_, a.present),
         viewer_(lab_),
         backend_(window_) {
     ui_.start_type(window_.content_scale(), window_.framebuffer_size());
     ui_.set_bookmarks(session_.bookmarks);
+    viewer_.say(fmt::format("{}", fmt::join(nearest_.sentences, "; ")));
     if (start.asked.scene) show(std::move(start.asked.scene));
     if (start.left) go_on(*start.left, std::move(start.left_scene));
     for (const auto& file : {a.scene, a.rig, a.state})
@@ -130,7 +132,9 @@ class Loop {
 
  private:
   void show(std::shared_ptr<const Scene> scene) {
-    viewer_.say(fmt::format("{}", fmt::join(notes_of(*scene, settings_.lights.source), "; ")));
+    std::vector<std::string> said = nearest_.sentences;
+    for (std::string& note : notes_of(*scene, settings_.lights.source)) said.push_back(std::move(note));
+    viewer_.say(fmt::format("{}", fmt::join(said, "; ")));
     lab_.show(settings_.scene, std::move(scene));
   }
 
@@ -318,9 +322,10 @@ class Loop {
   Session session_;
   ui::PathInput path_ = completions("");
   bool remembered_;  // what is shown, for the next window
+  Lab lab_;
+  Nearest nearest_;  // to what was asked for, on this device
   Settings settings_;
   ui::Ui ui_;
-  Lab lab_;
   Viewer viewer_;
   GlfwBackend backend_;
   LayoutWatch layout_watch_;

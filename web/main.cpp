@@ -25,6 +25,7 @@ EM_JS(char*, gbl_asked, (const char* name), {
   return to;
 });
 EM_JS(void, gbl_frame_drawn, (), { Module['frameDrawn'](); });
+EM_JS(int, gbl_hidden, (), { return document.hidden; });
 // clang-format on
 
 namespace gbl {
@@ -107,6 +108,7 @@ std::unique_ptr<LabWindow> opened() {
 }
 
 void frame() {
+  if (gbl_hidden()) return;  // some browsers go on asking, once a second
   guarded([] {
     if (!g_window->step()) emscripten_cancel_main_loop();
     gbl_frame_drawn();

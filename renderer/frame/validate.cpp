@@ -13,6 +13,8 @@
 namespace gbl {
 namespace {
 
+const char* name_of(Feature f) { return kFeatures[static_cast<int>(f) - 1].id; }
+
 bool finite(const OptionValue& v) {
   if (const auto* n = std::get_if<Number>(&v)) return std::isfinite(n->value);
   const auto* list = std::get_if<OptionList>(&v);
@@ -27,7 +29,7 @@ void check_options(const Settings& s, const DeviceLimits& limits, std::vector<Pr
     if (!limits.features.has(r.needs))
       out.push_back({ProblemId::feature_missing, o.path,
                      fmt::format("{} needs {}, which this driver lacks or --without switched off; choose another value",
-                                 r.id, kFeatures[static_cast<int>(r.needs) - 1].id)});
+                                 r.id, name_of(r.needs))});
   }
 }
 
@@ -119,6 +121,19 @@ std::vector<Problem> validate(const Settings& s, const DeviceLimits& limits) {
     out.push_back({ProblemId::no_such_light, "lights.only",
                    fmt::format("{} is not below lights.count {}; choose -1 for all", s.lights.only, s.lights.count)});
   check_volumes(s, out);
+  return out;
+}
+
+Nearest nearest_with(const FeatureSet& features, Settings s) {
+  Nearest out{std::move(s), {}};
+  for (const Option& o : options()) {
+    if (o.kind != Kind::choice) continue;
+    const ValueRow& asked = o.values[chosen(o, out.settings)];
+    if (features.has(asked.needs)) continue;
+    cycle(o, out.settings, -1, features);
+    out.sentences.push_back(fmt::format("{}: {} stands in for {}, which needs {}", o.path,
+                                        o.values[chosen(o, out.settings)].id, asked.id, name_of(asked.needs)));
+  }
   return out;
 }
 

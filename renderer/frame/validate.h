@@ -41,4 +41,11 @@ struct DeviceLimits {
 std::vector<Problem> validate(const Settings&, const DeviceLimits&);
 void require_valid(const Settings&, const DeviceLimits&);  // Error(bad_input) with the first problem
 
+// Settings from another machine, as near as this one comes: values whose feature it lacks give way to those before them.
+struct Nearest {
+  Settings settings;
+  std::vector<std::string> sentences;  // of each that gave way
+};
+Nearest nearest_with(const FeatureSet&, Settings);
+
 }  // namespace gbl

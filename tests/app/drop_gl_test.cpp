@@ -101,6 +101,24 @@ TEST_F(DropState, APictureBringsAllItsSettingsAndItsSceneButNotItsSize) {
   EXPECT_FALSE(viewer_->take_opened(now_)) << "once";
 }
 
+TEST_F(DropState, WhatThisDeviceLacksGivesWayAndIsSaid) {
+  FeatureSet without;
+  without.add(Feature::clip_control);
+  viewer_.reset();
+  lab_ = std::make_unique<Lab>(without);
+  viewer_ = std::make_unique<Viewer>(*lab_);
+  lab_->open(now_.scene);
+  viewer_->update(now_, {}, false);
+  Settings kept = preset("exact").make();
+  const auto opened = drop(written("gbl-drop-exact.json", settings_text(kept)));
+  ASSERT_TRUE(opened) << message();
+  kept.depth.format = DepthFormat::d32f, kept.size = now_.size;
+  EXPECT_EQ(opened->settings, kept);
+  EXPECT_TRUE(contains(message(), "depth.format: d32f stands in for d32f-reversed")) << message();
+  viewer_->update(opened->settings, {}, false);
+  EXPECT_EQ(lab_->drawn().depth.format, DepthFormat::d32f);
+}
+
 TEST_F(DropState, SettingsWhoseSceneIsGoneChangeNothing) {
   Settings kept = now_;
   kept.scene = "/gone/model.glb";

@@ -94,6 +94,28 @@ TEST(Validate, PresetsAreValidOnTheCorePathOrSayWhatTheyNeed) {
   }
 }
 
+// A link from a machine that has more: the nearest picture is shown, and what gave way is named.
+TEST(Validate, WhatADeviceLacksGivesWayToWhatItHas) {
+  for (const Option& o : options())
+    for (const ValueRow& r : o.values) {
+      SCOPED_TRACE(std::string(o.path) + "=" + r.id);
+      Settings asked = preset("start").make();
+      o.set(asked, r.id, o);
+      EXPECT_EQ(nearest_with(every_feature().features, asked).settings, asked);
+      const Nearest n = nearest_with({}, asked);
+      const ValueRow& shown = o.values[static_cast<size_t>(chosen(o, n.settings))];
+      EXPECT_EQ(shown.needs, Feature::none);
+      ASSERT_EQ(n.sentences.size(), r.needs == Feature::none ? 0u : 1u);
+      if (r.needs == Feature::none) {
+        EXPECT_EQ(n.settings, asked);
+        continue;
+      }
+      const std::string& sentence = n.sentences.front();
+      for (const char* word : {o.path, r.id, shown.id}) EXPECT_TRUE(contains(sentence, word)) << sentence;
+    }
+  EXPECT_EQ(nearest_with({}, preset("exact").make()).settings.depth.format, DepthFormat::d32f);
+}
+
 TEST(Validate, EachMistakeIsFoundAloneByItsIdAndPath) {
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.path);
