@@ -17,18 +17,26 @@ inline double median(std::span<const double> values) {
   return *middle;
 }
 
-// What caches fill at first is no leak: the first third is left out.
-template <class T>
-std::span<const T> after_warm_up(const std::vector<T>& records) {
-  return std::span(records).subspan(records.size() / 3);
+struct Sample {
+  double seconds, value;
+};
+
+// What caches fill at first is no leak: the first third of the time is left out. Records in the order of their `seconds`.
+template <class Record>
+std::span<const Record> after_warm_up(const std::vector<Record>& records) {
+  const double begin_s = records.back().seconds / 3;
+  const auto begin =
+      std::find_if(records.begin(), records.end(), [&](const Record& r) { return r.seconds >= begin_s; });
+  return std::span(records).subspan(static_cast<size_t>(begin - records.begin()));
 }
 
-// From the first quarter of the records after the warm-up to their last quarter, as a share: 0.02 is 2 % more. Medians:
-// one record that is off says nothing. Needs three records.
-inline double growth(const std::vector<double>& records) {
-  const std::span<const double> rest = after_warm_up(records);
+// From the first quarter of the samples after the warm-up to their last quarter, as a share: 0.02 is 2 % more. Medians:
+// one sample that is off says nothing. Needs three samples.
+inline double growth(const std::vector<Sample>& samples) {
+  std::vector<double> rest;
+  for (const Sample& s : after_warm_up(samples)) rest.push_back(s.value);
   const size_t quarter = std::max<size_t>(1, rest.size() / 4);
-  return median(rest.last(quarter)) / median(rest.first(quarter)) - 1;
+  return median(std::span(rest).last(quarter)) / median(std::span(rest).first(quarter)) - 1;
 }
 
 // Of a process: its memory that is in RAM.

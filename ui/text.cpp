@@ -15,8 +15,34 @@ bool hit_area(const char* id, const Box& box) {
 
 float line_height(float px) { return std::round(px * 1.28f); }
 
-ImVec2 text_size(std::string_view text, float px, float wrap) {
+namespace {
+
+ImVec2 size_of(std::string_view text, float px, float wrap) {
   return font_for(px)->CalcTextSizeA(px, FLT_MAX, wrap, text.data(), text.data() + text.size());
+}
+
+// Lines end at spaces. ImGui would break at any stop as well, which cuts 16.0 in two; it still breaks a word that no line
+// has room for.
+std::string broken_at_spaces(std::string_view text, float px, float width) {
+  std::string out(text);
+  size_t begin = 0, last_space = std::string::npos;
+  for (size_t i = 0; i <= out.size(); ++i) {
+    const bool ends = i == out.size() || out[i] == '\n';
+    if (!ends && out[i] != ' ') continue;
+    if (last_space != std::string::npos && size_of(std::string_view(out).substr(begin, i - begin), px, 0).x > width) {
+      out[last_space] = '\n';
+      begin = last_space + 1;
+    }
+    last_space = ends ? std::string::npos : i;
+    if (ends) begin = i + 1;
+  }
+  return out;
+}
+
+}  // namespace
+
+ImVec2 text_size(std::string_view text, float px, float wrap) {
+  return wrap > 0 ? size_of(broken_at_spaces(text, px, wrap), px, wrap) : size_of(text, px, 0);
 }
 
 float Painter::fit(std::string_view text, ImVec2 room, float px, bool wrap) {
@@ -31,8 +57,9 @@ float Painter::fit(std::string_view text, ImVec2 room, float px, bool wrap) {
 
 ImVec2 Painter::text(ImVec2 at, float px, ImU32 colour, std::string_view text, float wrap) {
   at = {std::floor(at.x), std::floor(at.y)};
-  list_->AddText(font_for(px), px, at, colour, text.data(), text.data() + text.size(), wrap);
-  return text_size(text, px, wrap);
+  const std::string lines = wrap > 0 ? broken_at_spaces(text, px, wrap) : std::string(text);
+  list_->AddText(font_for(px), px, at, colour, lines.data(), lines.data() + lines.size(), wrap);
+  return size_of(lines, px, wrap);
 }
 
 ImVec2 Painter::text_in(const Box& box, float px, ImU32 colour, std::string_view what, bool wrap) {

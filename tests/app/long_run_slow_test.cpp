@@ -67,9 +67,9 @@ class LongRuns : public GlTest {
   }
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
   double growth_of(double Held::*what) const {
-    std::vector<double> values;
-    for (const Held& h : records_) values.push_back(h.*what);
-    return growth(values);
+    std::vector<Sample> samples;
+    for (const Held& h : records_) samples.push_back({h.seconds, h.*what});
+    return growth(samples);
   }
 
   std::vector<Held> records_;  // after each cycle

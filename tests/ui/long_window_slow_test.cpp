@@ -55,8 +55,8 @@ class LongWindow : public ::testing::Test {
   }
   void record() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1500));  // it rests, and gives back what it does not need
-    mib_.push_back(desk_.resident_mib());
-    fmt::print("{:10.0f}{:8}{:10.1f}\n", seconds(), mib_.size() - 1, mib_.back());
+    resident_mib_.push_back({seconds(), desk_.resident_mib()});
+    fmt::print("{:10.0f}{:8}{:10.1f}\n", seconds(), resident_mib_.size() - 1, resident_mib_.back().value);
     std::fflush(stdout);
   }
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
@@ -64,7 +64,7 @@ class LongWindow : public ::testing::Test {
   WindowDesk desk_{{"--fresh"}};
   Pcg32 random_{2026};
   std::vector<std::string> keys_ = keys();
-  std::vector<double> mib_;  // after each round
+  std::vector<test::Sample> resident_mib_;  // after each round
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -87,9 +87,9 @@ TEST_F(LongWindow, NeitherGrowsNorStopsNorChanges) {
     ASSERT_TRUE(now.picture == first.picture)
         << "at the same settings, another picture: build/ci/window/long-window.png";
   } while (seconds() < most_s);
-  fmt::print("resident {:+.2f} %\n", 100 * test::growth(mib_));
+  fmt::print("resident {:+.2f} %\n", 100 * test::growth(resident_mib_));
   if (most_s >= kWarmUpS) {
-    EXPECT_LE(test::growth(mib_), 0.02);
+    EXPECT_LE(test::growth(resident_mib_), 0.02);
   }
   EXPECT_EQ(desk_.close(), 0);
 }
