@@ -19,8 +19,9 @@ namespace gbl::test {
 // Needs a context; what is missing is an Error and fails the test. Features that a test switches off come back here.
 class GlTest : public ::testing::Test {
  protected:
+  // Here, not in SetUp(), so that fixtures may have members that make names of OpenGL.
+  GlTest() { static const HeadlessContext context; }
   void SetUp() override {
-    static const HeadlessContext context;
     gl::probe_device({});
     glGetError();
   }
