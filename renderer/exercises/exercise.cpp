@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 #include "renderer/base/json.h"
 #include "renderer/base/resources.h"
@@ -161,7 +162,7 @@ Exercise parse_exercise(std::string_view id, std::string_view json_text) {
   Exercise e;
   e.id = id;
   const auto text = [&](const char* member) { return needed_text_member(json, member, where); };
-  e.order = static_cast<int>(number(json, "order", where).value_or(9999));
+  e.order = order_member(json, "order", std::numeric_limits<int>::max(), where);
   e.title = text("title"), e.source = text("source"), e.task = text("task"), e.hint = text("hint");
   e.tolerance = text("tolerance"), e.preset = text("preset");
   e.answer = static_cast<AnswerKind>(known_word(json, "answer", kKinds, where));

@@ -23,14 +23,9 @@ constexpr std::string_view kFolder = "assets/lessons/";
 
 std::string file_name(std::string_view id) { return data_file_name(kFolder, id); }
 
-// Without one a lesson comes after those that have one.
+// Without an order a lesson comes after those that have one.
 int order_of(const Json& json, std::string_view where) {
-  if (!json.contains("order")) return std::numeric_limits<int>::max();
-  const Json& order = json["order"];
-  if (!order.is_number_integer() || order.get<long long>() < 1 || order.get<long long>() > 9999)
-    throw Error(ExitCode::bad_input, where,
-                fmt::format("\"order\" is {}, not a whole number from 1 to 9999", order.dump()));
-  return order.get<int>();
+  return order_member(json, "order", std::numeric_limits<int>::max(), where);
 }
 
 // A file that cannot be read is the last one: it says why when it is opened.

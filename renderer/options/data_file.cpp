@@ -49,6 +49,15 @@ std::string needed_text_member(const Json& node, const char* member, std::string
   return value;
 }
 
+int order_member(const Json& node, const char* member, int otherwise, std::string_view where) {
+  if (!node.contains(member)) return otherwise;
+  const Json& order = node[member];
+  if (!order.is_number_integer() || order.get<long long>() < 1 || order.get<long long>() > 9999)
+    throw Error(ExitCode::bad_input, where,
+                fmt::format("\"{}\" is {}, not a whole number from 1 to 9999", member, order.dump()));
+  return order.get<int>();
+}
+
 void check_file_version(const Json& json, int newest, std::string_view kind, std::string_view where) {
   if (!json.contains("version")) throw Error(ExitCode::bad_input, where, fmt::format("no \"version\": not a {}", kind));
   const Json& version = json["version"];

@@ -29,6 +29,8 @@ void only_members(const Json& node, std::initializer_list<std::string_view> know
 
 std::string text_member(const Json& node, const char* member, std::string_view where);  // "" if it is not there
 std::string needed_text_member(const Json& node, const char* member, std::string_view where);
+// A place among others of its kind: a whole number from 1 to 9999; `otherwise` if it is not there.
+int order_member(const Json& node, const char* member, int otherwise, std::string_view where);
 
 // "version": a whole number from 1, none newer than `newest`. kind: "lesson"
 void check_file_version(const Json&, int newest, std::string_view kind, std::string_view where);

@@ -189,6 +189,12 @@ const Case kNoted[] = {
      "'rotation' is not a list of 4 numbers"},
     {"uv set", [](auto& f) { f.doc["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 3; },
      "texture coordinates 3 are not read"},
+    {"uv set past every int",
+     [](auto& f) {
+       f.doc["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {
+           {"KHR_texture_transform", {{"texCoord", 1e300}}}};
+     },
+     "'texCoord' is 1e+300, not a whole number"},
     {"alpha", [](auto& f) { f.doc["materials"][0]["alphaMode"] = "GLASS"; }, "unknown alphaMode"},
     {"no uv",
      [](auto& f) {

@@ -50,14 +50,6 @@ double number_member(const Json& node, const char* member, std::string_view wher
   return node[member].get<double>();
 }
 
-int place_member(const Json& node, const char* member, std::string_view where) {
-  if (!node.contains(member)) return 0;
-  const double place = number_member(node, member, where);
-  if (!(place >= 1 && place <= 999) || place != static_cast<int>(place))
-    throw Error(ExitCode::bad_input, where, fmt::format("\"{}\" must be a whole number from 1 to 999", member));
-  return static_cast<int>(place);
-}
-
 PitfallBounds bounds_of(const Json& node, std::string_view where) {
   const PitfallBounds b{number_member(node, "broken_at_least", where), number_member(node, "fixed_at_most", where)};
   if (!(b.broken_at_least > b.fixed_at_most))
@@ -88,7 +80,7 @@ PitfallEntry parse_pitfall(std::string_view id, std::string_view json_text) {
   PitfallEntry e;
   e.id = id;
   e.group = known_group(json, where);
-  e.order = place_member(json, "order", where), e.lecture = place_member(json, "lecture", where);
+  e.order = order_member(json, "order", 0, where), e.lecture = order_member(json, "lecture", 0, where);
   const auto text = [&](const char* member) { return needed_text_member(json, member, where); };
   e.title = text("title"), e.source = text("source"), e.symptom = text("symptom"), e.cause = text("cause");
   e.question = text("question"), e.do_this = text("do"), e.do_not = text("dont"), e.impact = text("impact");
