@@ -9,6 +9,7 @@
 
 #include "app/figure_file.h"
 #include "app/imgui_screen.h"
+#include "app/layout_watch.h"
 #include "app/load_stage.h"
 #include "app/path_completion.h"
 #include "app/picture_texts.h"
@@ -18,7 +19,6 @@
 #include "renderer/base/files.h"
 #include "renderer/base/memory.h"
 #include "renderer/base/threads.h"
-#include "renderer/gbuffer/layout_file.h"
 #include "renderer/gl/gl.h"
 #include "renderer/opening/scene_look.h"
 
@@ -34,25 +34,6 @@ constexpr double kSettledSeconds = 1;       // after which nothing that was touc
 constexpr double kAddressSeconds = 0.3;     // without a change before the address follows; less than the above
 constexpr int kSettledFrames = 4;           // ImGui needs a few
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-// A user's layout file is read again when it is saved.
-class LayoutWatch {
- public:
-  // The name of what is in the file now, where it was saved since the last look.
-  std::optional<std::string> saved(const std::string& layout_file) {
-    const std::string path(path_of_layout_file(layout_file));
-    std::error_code error;
-    const auto time = std::filesystem::last_write_time(path, error);
-    if (error) return {};
-    const bool other = path != path_, newer = time != time_;
-    path_ = path, time_ = time;
-    return other || !newer ? std::nullopt : std::optional(name_layout_file(path));
-  }
-
- private:
-  std::string path_;
-  std::filesystem::file_time_type time_;
-};
 
 // ImGui's GLFW back-end for as long as the window runs.
 struct GlfwBackend {
@@ -122,6 +103,10 @@ class Loop {
     if (window_.closing()) return false;
     draw_frame();
     return true;
+  }
+
+  std::optional<LabWindow::Probed> probed() const {
+    return probed_ ? std::optional(LabWindow::Probed{*probed_, settings_.size}) : std::nullopt;
   }
 
   void keep() {
@@ -253,6 +238,7 @@ class Loop {
     if (requests.toggle_full_screen) toggle_full_screen();
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.picture_size.x > 0) settings_.size = requests.picture_size;
+    probed_ = requests.probe;
     viewer_.update(settings_, requests, ui_.moving(settings_));
     viewer_.measure(settings_, requests, input.seconds - touched_s_ > kQuietSeconds);
     tell_system(requests.in_words);
@@ -336,6 +322,7 @@ class Loop {
   bool tidy_ = false;                 // nothing has happened since memory was given back
   Settings in_address_;               // what it started with stands there already
   std::string in_words_;
+  std::optional<glm::ivec2> probed_;
 };
 
 }  // namespace
@@ -364,6 +351,10 @@ bool LabWindow::step() { return parts_->loop && parts_->loop->step(); }
 
 void LabWindow::keep() {
   if (parts_->loop) parts_->loop->keep();
+}
+
+std::optional<LabWindow::Probed> LabWindow::probed() const {
+  return parts_->loop ? parts_->loop->probed() : std::nullopt;
 }
 
 }  // namespace gbl

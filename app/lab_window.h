@@ -1,6 +1,7 @@
 #pragma once
 // The window: events in, one UI frame, whatever it asks for, picture out.
 #include <memory>
+#include <optional>
 
 #include "app/commands.h"
 
@@ -14,6 +15,11 @@ class LabWindow {
 
   bool step();  // one frame; false: it was closed
   void keep();  // what the next window goes on with
+
+  struct Probed {
+    glm::ivec2 pixel, size;  // of the picture, from its top left
+  };
+  std::optional<Probed> probed() const;  // the pixel that is held or pointed at
 
  private:
   struct Parts;

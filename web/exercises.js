@@ -19,10 +19,22 @@ function button(text, work) {
   return b;
 }
 
+// The page's picture has a size of its own.
+function takePixel(task) {
+  const [x, y, ...size] = lab.ccall('page_pixel', 'string', [], []).split(' ').map(Number);
+  if (!size.length) {
+    exercise.verdict.textContent = 'no pixel is held: click on one in the picture';
+    return;
+  }
+  const pixel = [x, y].map((at, i) => Math.floor((at + 0.5) * task.size[i] / size[i]));
+  exercise.answer.value = JSON.stringify({exercise: task.id, answer: pixel}) + '\n';
+}
+
 // Some answers need no typing.
 function helpers(task) {
   const out = task.choices.map(c => button(c.id + ': ' + c.text,
       () => { exercise.answer.value = JSON.stringify({exercise: task.id, answer: c.id}, null, 2) + '\n'; }));
+  if (task.kind === 'pixel') out.push(button('take the held pixel', () => takePixel(task)));
   if (task.kind === 'settings') out.push(button('take what is shown', () => { exercise.answer.value = shown || task.state; }));
   return out;
 }

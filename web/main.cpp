@@ -128,6 +128,14 @@ extern "C" EMSCRIPTEN_KEEPALIVE void page_begin() {
   });
 }
 
+// The pixel that is held, and of how many: "x y width height"; empty: none is.
+extern "C" EMSCRIPTEN_KEEPALIVE const char* page_pixel() {
+  static std::string text;
+  const auto p = gbl::g_window->probed();
+  text = p ? fmt::format("{} {} {} {}", p->pixel.x, p->pixel.y, p->size.x, p->size.y) : "";
+  return text.c_str();
+}
+
 int main() {
   page_begin();
   return 0;
