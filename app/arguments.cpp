@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "app/commands.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/number.h"
 
 namespace gbl {
@@ -48,7 +49,8 @@ void add_settings(CLI::App& app, Arguments& a) {
       ->allow_extra_args(false)
       ->option_text("PATH=VALUE");
   app.add_option("--size", a.size, "WxH in pixels");
-  add_number(app, "--lights", a.lights, "number of generated lights, 0 to 16384", -kAnyInt, kAnyInt);
+  add_number(app, "--lights", a.lights, fmt::format("number of generated lights, 0 to {}", kMaxLights), -kAnyInt,
+             kAnyInt);
   add_number(app, "--seed", a.seed, "of the generated lights", 0, std::numeric_limits<unsigned>::max());
   app.add_option("--camera", a.camera, "x,y,z:yaw,pitch[:fov] in world units and degrees");
   app.add_option("--rig", a.rig, "lights from a rig's JSON file");
@@ -173,7 +175,8 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     check->excludes(output);
     grade->excludes(name)->excludes(check)->excludes(output);
     app.add_flag("--csv", a.csv, "with --grade: a line for each answer")->needs(grade)->excludes(json);
-    add_number(app, "--limit", a.limit_s, "seconds that one answer may take (default: 60)", 0.1, 86400);
+    add_number(app, "--limit", a.limit_s,
+               fmt::format("seconds that one answer may take (default: {:g})", kAnswerSeconds), 0.1, 86400);
     app.add_flag("--here", a.here, "judge in this process and not in one of its own")->needs(check)->group("");
   }
   if (command == "info") {

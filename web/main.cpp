@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/lab_window.h"
+#include "renderer/base/limits.h"
 #include "renderer/base/number.h"
 #include "renderer/exercises/exercise.h"
 #include "renderer/options/settings_json.h"
@@ -79,7 +80,7 @@ Arguments arguments_of_address() {
     const auto count = whole_decimal(*lights);
     if (!count || *count < 0 || *count > kMaxLights)
       throw Error(ExitCode::bad_input, "?lights", fmt::format("'{}' is no number of lights", *lights),
-                  "give 0 to 16384");
+                  fmt::format("give 0 to {}", kMaxLights));
     a.lights = static_cast<int>(*count);
   }
   return a;

@@ -1,9 +1,7 @@
 // Models made by others, when they lie beside the project. None of them is part of it.
-#include <chrono>
 #include <gtest/gtest.h>
 
 #include "tests/gltf/gltf_fixture.h"
-#include "tests/sanitized.h"
 #include "tests/test_paths.h"
 
 namespace gbl::test {
@@ -55,13 +53,6 @@ TEST(GltfModels, TriangleForTriangle) {
     EXPECT_EQ(scene.warnings.size(), model.warnings) << (scene.warnings.empty() ? "" : scene.warnings[0]);
     EXPECT_GT(glm::length(scene.bounds.extent()), 0);
   }
-}
-
-TEST(GltfModels, FlightHelmetInTime) {
-  if (absent()) GTEST_SKIP() << kAbsent;
-  const auto start = std::chrono::steady_clock::now();
-  load_gltf(models() / "FlightHelmet/FlightHelmet.gltf");
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1.5 * kSlowdown);
 }
 
 TEST(GltfModels, FoxStandsUprightInItsPose) {
