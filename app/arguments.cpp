@@ -86,7 +86,8 @@ void add_own_options(CLI::App& app, const std::string& command, Arguments& a) {
     app.add_option("file", a.file, "a model, settings, a rig, or a picture that this program wrote: as if dropped");
     app.add_flag("--present", a.present,
                  "the picture fills the window, one caption in large type; Ctrl+Shift+P: everything");
-    app.add_option("--lesson", a.lesson, "open this lesson (list lessons)");
+    app.add_option("--lesson", a.lesson,
+                   "open this lesson (list lessons), NAME:3 at its third step; a --state is shown with it");
     app.add_option("--pitfall", a.pitfall, "open this pitfall, broken (list pitfalls)");
     app.add_flag("--fresh", a.fresh, "start as loaded and not where the window was left");
     add_number(app, "--frames", a.frames, "draw so many frames and leave", 0, kAnyInt);

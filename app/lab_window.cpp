@@ -88,6 +88,7 @@ class Loop {
     for (const auto& file : {a.scene, a.rig, a.state})
       if (file && (file != a.scene || is_file(*file))) remember(session_.recent, *file);
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
+    if (!a.lesson.empty() && a.state) settings_ = nearest_.settings;  // what somebody made of the step
     if (!a.pitfall.empty()) ui_.open_pitfall(a.pitfall, settings_);
     settings_.size = {800, 450};
     ui::Requests first;  // the picture is there at once; what else is visible is drawn when the window has asked for it
@@ -95,7 +96,7 @@ class Loop {
     lab_.open(settings_.scene);
     viewer_.update(settings_, first, false);
     if (kHasThreads) viewer_.compile_ahead();  // a page would stand still meanwhile
-    in_address_ = wherever(settings_);
+    in_address_ = wherever(settings_), lesson_in_address_ = ui_.lesson_place();
     say_trouble();
   }
 
@@ -255,7 +256,10 @@ class Loop {
   void tell_system(const std::string& words) {
     if (words != in_words_) say_in_words(in_words_ = words);
     if (ui_.moving(settings_) || glfwGetTime() - stirred_s_ < kAddressSeconds) return;
-    if (const Settings now = wherever(settings_); !(now == in_address_)) show_in_address(in_address_ = now);
+    const Settings now = wherever(settings_);
+    const std::string lesson = ui_.lesson_place();
+    if (now == in_address_ && lesson == lesson_in_address_) return;
+    show_in_address(in_address_ = now, lesson_in_address_ = lesson);
   }
 
   void stir() { quiet_frames_ = 0, stirred_s_ = glfwGetTime(), tidy_ = false; }
@@ -321,6 +325,7 @@ class Loop {
   double wakes_s_ = kNever;           // when the window changes by itself
   bool tidy_ = false;                 // nothing has happened since memory was given back
   Settings in_address_;               // what it started with stands there already
+  std::string lesson_in_address_;
   std::string in_words_;
   std::optional<glm::ivec2> probed_;
 };

@@ -64,7 +64,7 @@ bool wait_for_events(double seconds) {
 
 void adjust_imgui(GLFWwindow*) {}
 bool wants_less_motion() { return false; }
-void show_in_address(const Settings&) {}
+void show_in_address(const Settings&, const std::string&) {}
 void say_in_words(const std::string&) {}
 void hand_over(const std::string&) {}
 

@@ -24,8 +24,9 @@ void adjust_imgui(GLFWwindow*);  // after ImGui's back-end, where it takes anoth
 
 bool wants_less_motion();  // whoever uses this system
 
-// Beside the window: a page's address, which brings these settings back, and its words for who does not see the picture.
-void show_in_address(const Settings&);
+// Beside the window: a page's address, which brings these settings and the lesson's step back ("": no lesson), and its words
+// for who does not see the picture.
+void show_in_address(const Settings&, const std::string& lesson_place);
 void say_in_words(const std::string&);
 // A file that somebody asked to be saved: a page has no folder, so it is given as a download.
 void hand_over(const std::string& file);

@@ -169,10 +169,10 @@ std::vector<LookOf> page_of(const Settings& stored, size_t page) {
   return out;
 }
 
-void open_lesson(State& state, Settings& settings, Lesson lesson) {
-  state.lesson = LessonRun{std::move(lesson)};
+void open_lesson(State& state, Settings& settings, LessonPlace place) {
+  state.lesson = LessonRun{std::move(place.lesson)};
   close_panels(state, {Place::over, Place::whole, Place::edge});
-  show_step(state, settings, 0);
+  show_step(state, settings, place.step);
 }
 
 void show_step(State& state, Settings& settings, size_t step) {

@@ -148,9 +148,9 @@ std::vector<LookOf> page_of(const Settings& stored, size_t page);
 size_t pages_of(const Settings& stored);
 
 void open_pitfall(State&, Settings&, std::string_view id);  // broken, in its panel; Error with the known ones
-void open_lesson(State&, Settings&, Lesson);                // at its first step
-void show_step(State&, Settings&, size_t step);             // of the open lesson; the size stays
-void advance_motion(FrameContext&);                         // time, glide and camera keys, once a frame
+void open_lesson(State&, Settings&, LessonPlace);
+void show_step(State&, Settings&, size_t step);  // of the open lesson; the size stays
+void advance_motion(FrameContext&);              // time, glide and camera keys, once a frame
 
 void ask_figure(FrameContext&);  // of the chosen panel, if a key has asked for it
 

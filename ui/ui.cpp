@@ -1,6 +1,7 @@
 #include "ui/ui.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 #include "renderer/frame/resolve.h"
@@ -124,8 +125,13 @@ void Ui::show(const Snapshot& kept, Settings& settings) {
 const Bookmarks& Ui::bookmarks() const { return state_->bookmarks; }
 void Ui::set_bookmarks(const Bookmarks& kept) { state_->bookmarks = kept; }
 
-void Ui::open_lesson(std::string_view id, Settings& settings) {
-  ui::open_lesson(*state_, settings, load_lesson(std::string(id)));
+void Ui::open_lesson(const std::string& place, Settings& settings) {
+  ui::open_lesson(*state_, settings, load_lesson_place(place));
+}
+
+std::string Ui::lesson_place() const {
+  const auto& run = state_->lesson;
+  return run ? fmt::format("{}:{}", run->lesson.id, run->step + 1) : "";
 }
 
 void Ui::open_pitfall(std::string_view id, Settings& settings) { ui::open_pitfall(*state_, settings, id); }

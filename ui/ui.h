@@ -147,10 +147,11 @@ class Ui {
   const Bookmarks& bookmarks() const;
   void set_bookmarks(const Bookmarks&);
 
-  void compare_with(std::string file);                // a picture becomes B
-  void open_lesson(std::string_view id, Settings&);   // Error with the known ones
-  void open_pitfall(std::string_view id, Settings&);  // the same
-  bool moving(const Settings&) const;                 // time runs, a glide is under way or a camera key is held
+  void compare_with(std::string file);                    // a picture becomes B
+  void open_lesson(const std::string& place, Settings&);  // "NAME" or "NAME:3"; Error with the known ones
+  std::string lesson_place() const;                       // of the one that is open; else empty
+  void open_pitfall(std::string_view id, Settings&);      // the same
+  bool moving(const Settings&) const;                     // time runs, a glide is under way or a camera key is held
 
   bool is_open(std::string_view panel) const;  // by its id
   // Texts that did not fit their place in the last frame at any legible size. Tests demand none.

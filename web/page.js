@@ -98,17 +98,19 @@ function stateOfLink() {
 }
 
 // What is beside the picture stays in the address.
-function queryToKeep() {
+function queryWith(lesson) {
   const kept = new URLSearchParams();
   for (const [name, value] of new URLSearchParams(location.search))
     if (name === 'present' || name === 'exercise') kept.append(name, value);
-  return '?' + kept === '?' ? '' : '?' + kept;
+  if (lesson) kept.append('lesson', lesson);
+  return '?' + kept === '?' ? '' : '?' + String(kept).replace(/%3A/g, ':');
 }
 
-function showInAddress(state) {
+// lesson: "NAME:3", its third step; '': none is open.
+function showInAddress(state, lesson) {
   shown = state;
   written = '#' + encodeURIComponent(state).replace(/%(2C|3A|7B|7D|5B|5D|2F)/g, decodeURIComponent);
-  history.replaceState(null, '', location.pathname + queryToKeep() + written);
+  history.replaceState(null, '', location.pathname + queryWith(lesson) + written);
 }
 
 addEventListener('hashchange', () => {

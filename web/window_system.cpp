@@ -29,7 +29,7 @@ bool wait_for_events(double) { return false; }  // events have their callbacks, 
 // clang-format off
 EM_JS(void, gbl_download, (const char* file), { Module['download'](UTF8ToString(file)); });
 EM_JS(void, gbl_copy, (const char* text), { Module['copy'](UTF8ToString(text)); });
-EM_JS(void, gbl_address, (const char* state), { Module['showInAddress'](UTF8ToString(state)); });
+EM_JS(void, gbl_address, (const char* state, const char* lesson), { Module['showInAddress'](UTF8ToString(state), UTF8ToString(lesson)); });
 EM_JS(void, gbl_words, (const char* words), { Module['tell'](UTF8ToString(words)); });
 EM_JS(int, gbl_less_motion, (), { return matchMedia('(prefers-reduced-motion: reduce)').matches; });
 // clang-format on
@@ -42,7 +42,9 @@ void adjust_imgui(GLFWwindow* window) {
 
 void hand_over(const std::string& file) { gbl_download(file.c_str()); }
 bool wants_less_motion() { return gbl_less_motion() != 0; }
-void show_in_address(const Settings& s) { gbl_address(settings_link(s).c_str()); }
+void show_in_address(const Settings& s, const std::string& lesson_place) {
+  gbl_address(settings_link(s).c_str(), lesson_place.c_str());
+}
 void say_in_words(const std::string& words) { gbl_words(words.c_str()); }
 
 std::string printed_name(int key, int) {

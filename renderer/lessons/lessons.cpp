@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/json.h"
+#include "renderer/base/number.h"
 #include "renderer/base/resources.h"
 #include "renderer/inspect/views.h"
 #include "renderer/options/data_file.h"
@@ -103,6 +104,18 @@ Lesson load_lesson(const std::string& name) {
     return parse_lesson(path.stem().string(), read_text_file(path), name);
   const std::vector<std::string_view> known(ids.begin(), ids.end());
   throw Error(ExitCode::bad_input, "lesson", fmt::format("unknown lesson '{}'", name), suggest(name, known));
+}
+
+LessonPlace load_lesson_place(const std::string& place) {
+  const size_t colon = place.rfind(':');
+  const auto step = colon == std::string::npos ? std::nullopt : whole_decimal(place.substr(colon + 1));
+  if (!step) return {load_lesson(place)};
+  Lesson lesson = load_lesson(place.substr(0, colon));
+  const auto count = static_cast<long long>(lesson.steps.size());
+  if (*step < 1 || *step > count)
+    throw Error(ExitCode::bad_input, "lesson", fmt::format("'{}' has no step {}", lesson.id, *step),
+                fmt::format("give 1 to {}", count));
+  return {std::move(lesson), static_cast<size_t>(*step - 1)};
 }
 
 Lesson parse_lesson(std::string_view id, std::string_view json_text, std::string_view file) {

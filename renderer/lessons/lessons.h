@@ -33,6 +33,12 @@ struct Lesson {
 std::vector<std::string> lesson_ids();  // as they are taught: by their "order", then by name
 // One of these, or else a file. Error with the known ones; every step's patch has been tried.
 Lesson load_lesson(const std::string& id_or_file);
+// The same, and where it is opened: "NAME:3" is its third step, "NAME" its first.
+struct LessonPlace {
+  Lesson lesson;
+  size_t step = 0;
+};
+LessonPlace load_lesson_place(const std::string& place);
 Lesson parse_lesson(std::string_view id, std::string_view json_text,
                     std::string_view where = {});  // where: for messages
 

@@ -232,6 +232,23 @@ TEST(LessonFiles, TheHeadIsChecked) {
                    {"\"order\" is", "whole number from 1"});
 }
 
+TEST(LessonPlaces, AreAStepAfterAColon) {
+  const std::string id = "what-is-in-a-g-buffer";
+  const size_t count = load_lesson(id).steps.size();
+  EXPECT_EQ(load_lesson_place(id).step, 0u);
+  EXPECT_EQ(load_lesson_place(id + ":1").step, 0u);
+  EXPECT_EQ(load_lesson_place(fmt::format("{}:{}", id, count)).step, count - 1);
+  EXPECT_EQ(load_lesson_place(id + ":2").lesson.id, id);
+  for (const std::string& step : {std::string("0"), std::string("-1"), std::to_string(count + 1)}) try {
+      load_lesson_place(fmt::format("{}:{}", id, step));
+      ADD_FAILURE() << step;
+    } catch (const Error& e) {
+      EXPECT_NE(std::string(e.what()).find(fmt::format("give 1 to {}", count)), std::string::npos) << e.what();
+    }
+  EXPECT_THROW(load_lesson_place(id + ":"), Error);  // a name
+  EXPECT_THROW(load_lesson_place(id + ":two"), Error);
+}
+
 TEST(LessonFiles, UnknownLessonListsTheKnownOnes) {
   try {
     load_lesson("three-ways");

@@ -448,6 +448,21 @@ TEST(InWords, SayTheViewThePixelTheStepAndWhatIsWrong) {
   EXPECT_NE(words.find("what is wrong"), std::string::npos);
 }
 
+TEST(Lessons, TellTheirPlaceAndOpenThere) {
+  Desk desk;
+  EXPECT_EQ(desk.ui.lesson_place(), "");
+  desk.ui.open_lesson("ten-minutes:3", desk.settings);
+  desk.frame();
+  const Settings third = desk.settings;
+  EXPECT_EQ(desk.ui.lesson_place(), "ten-minutes:3");
+  desk.press("PgUp"), desk.press("PgUp");
+  EXPECT_EQ(desk.ui.lesson_place(), "ten-minutes:1");
+  EXPECT_NE(desk.settings, third);
+  desk.press("PgDn"), desk.press("PgDn");
+  EXPECT_EQ(desk.ui.lesson_place(), "ten-minutes:3");
+  EXPECT_EQ(desk.settings, third);
+}
+
 TEST(Pages, EveryViewThatIsStoredHasAPlaceOnOne) {
   for (const Preset& p : presets()) {
     Desk desk({1600, 900}, false, p.make());

@@ -2,12 +2,15 @@
 #include <cctype>
 #include <chrono>
 #include <cstring>
+#include <fstream>
 #include <map>
 #include <thread>
 
 #include "renderer/lessons/lessons.h"
 #include "renderer/options/options.h"
 #include "renderer/options/presets.h"
+#include "renderer/options/settings_json.h"
+#include "tests/test_support.h"
 #include "tests/ui/window_desk.h"
 #include "ui/keys.h"
 
@@ -149,6 +152,25 @@ TEST(Window, a_figure_is_the_panel_as_shown_and_brings_it_back) {
   EXPECT_EQ(back.settings, panel.settings);
   EXPECT_EQ(back.picture.size, panel.picture.size);
   EXPECT_EQ(differing(back.picture, panel.picture, 0, height), 0u);
+}
+
+TEST(Window, a_lesson_opens_at_a_step_and_shows_what_somebody_made_of_it) {
+  const TemporaryFolder folder("window-step");
+  const Lesson lesson = load_lesson("ten-minutes");
+  Settings made = settings_at(lesson, 2);
+  made.lights.count = 7;
+  std::ofstream(folder / "made.json") << settings_text(made);
+  WindowDesk desk({"--lesson", "ten-minutes:3", "--state", (folder / "made.json").string()});
+  SKIP_WITHOUT_WINDOW(desk);
+  const Figure opened = desk.figure();
+  made.size = opened.settings.size, made.view = opened.settings.view;
+  EXPECT_EQ(opened.settings, made);
+  desk.press("Next");
+  const Figure next = desk.figure();
+  Settings fourth = settings_at(lesson, 3);
+  fourth.size = next.settings.size, fourth.view = next.settings.view;
+  EXPECT_EQ(next.settings, fourth);
+  EXPECT_EQ(desk.close(), 0);
 }
 
 TEST(Window, both_lessons_are_given_from_the_keyboard) {

@@ -38,7 +38,7 @@ void step_lesson(FrameContext& f, const KeyEvent& e) {
 
 void choose(FrameContext& f, size_t index) {
   const ChooserState& s = f.state.of<ChooserState>();
-  if (index < s.lessons.size()) open_lesson(f.state, f.settings, s.lessons[index]);
+  if (index < s.lessons.size()) open_lesson(f.state, f.settings, {s.lessons[index]});
 }
 
 void move_choice(FrameContext& f, const KeyEvent& e) {
