@@ -1,11 +1,8 @@
-"""The lab's page in a Chromium: what a test does with it, and what it reads from it."""
+"""The lab's page in a browser: what a test does with it, and what it reads from it."""
 import time
 
-from browser import check
+from checks import check
 
-# Mesa's driver by way of ANGLE: four times as fast as Chromium's own on a CPU.
-FLAGS = ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"]
-SWIFTSHADER = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 PATIENCE_S = 60  # for one frame beside other work
 
 
@@ -25,37 +22,17 @@ def said(b):
 
 
 def picture(b):
-    return b.ask("Page.captureScreenshot", format="png", clip={"x": 40, "y": 60, "width": 500, "height": 200, "scale": 1})["data"]
+    """Of the first screen's large view, without what lies over it."""
+    return b.picture(40, 60, (500, 200))
 
 
-CONTROL = 2  # of a key's modifiers
-
-
-def press(b, key, code, number, modifiers=0):
-    for kind in ("keyDown", "keyUp"):
-        text = {"text": key} if kind == "keyDown" and len(key) == 1 and not modifiers else {}
-        b.ask("Input.dispatchKeyEvent", type=kind, key=key, code=code, windowsVirtualKeyCode=number, modifiers=modifiers, **text)
-    wait_for_frames(b, 3)
-
-
-def letter(b, name, modifiers=0):
-    press(b, name, "Key" + name.upper(), ord(name.upper()), modifiers)
-
-
-def with_control(b, name):
-    control = {"key": "Control", "code": "ControlLeft", "windowsVirtualKeyCode": 17}
-    b.ask("Input.dispatchKeyEvent", type="keyDown", modifiers=CONTROL, **control)
-    letter(b, name, CONTROL)
-    b.ask("Input.dispatchKeyEvent", type="keyUp", **control)
+def press(b, key, control=False):
+    b.key(key, control)
     wait_for_frames(b, 3)
 
 
 def words(b):
     return b.js("document.querySelector('#words').textContent")
-
-
-def touch(b, kind, *points):
-    b.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
 
 
 def rest(b):

@@ -12,7 +12,8 @@ import sys
 import tempfile
 import time
 
-from browser import Browser, check, failures, find_chromium
+from checks import check, failures
+from chromium import Chromium, there_is_chromium
 
 SPEC = {"name": "web", "label": "Two layouts & <b>markup</b>", "base": {"scene": "builtin:layers", "size": "128x72", "lights": 4},
         "permute": [{"layout": ["exact", "compact"], "normal.encoding": ["oct8", "oct16", "xy-sqrt"]},
@@ -131,22 +132,20 @@ def main():
     parser.add_argument("--page", type=pathlib.Path)
     parser.add_argument("--shots", type=pathlib.Path)
     asked = parser.parse_args()
-    chromium = find_chromium()
-    if not chromium:
+    if not there_is_chromium():
         return 77
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         page = asked.page or small_study(asked.program.resolve(), folder)
         if asked.shots:
             asked.shots.mkdir(parents=True, exist_ok=True)
-        browser = Browser(chromium, folder / "profile")
+        browser = Chromium(folder / "profile", (1500, 1000))
 
         def shot(name):
             if asked.shots:
                 browser.shot(asked.shots / (name + ".png"))
 
         try:
-            browser.ask("Emulation.setDeviceMetricsOverride", width=1500, height=1000, deviceScaleFactor=1, mobile=False)
             browser.open(page.resolve().as_uri())
             use(browser, shot)
             without_script(browser, page.resolve().as_uri(), shot)
