@@ -84,7 +84,7 @@ class Loop {
     ui_.set_bookmarks(session_.bookmarks);
     viewer_.say(fmt::format("{}", fmt::join(nearest_.sentences, "; ")));
     if (start.asked.scene) show(std::move(start.asked.scene));
-    if (start.left) go_on(*start.left, std::move(start.left_scene));
+    if (start.left) go_on(*std::move(start.left), std::move(start.left_scene));
     for (const auto& file : {a.scene, a.rig, a.state})
       if (file && (file != a.scene || is_file(*file))) remember(session_.recent, *file);
     if (!a.lesson.empty()) ui_.open_lesson(a.lesson, settings_);
@@ -124,15 +124,18 @@ class Loop {
     lab_.show(settings_.scene, std::move(scene));
   }
 
-  // Where the window was left, unless this device cannot draw it.
-  void go_on(const ui::Snapshot& left, std::shared_ptr<const Scene> scene) {
+  // Where the window was left, as near as this device comes to it.
+  void go_on(ui::Snapshot left, std::shared_ptr<const Scene> scene) {
     Settings home = settings_;
     home.size = left.settings.size;
     try {
+      nearest_ = nearest_with(lab_.limits().features, std::move(left.settings));
+      left.settings = nearest_.settings;
       require_valid(left.settings, lab_.limits());
       ui_.show(left, settings_);
       show(std::move(scene));
-      if (!(left.settings == home)) viewer_.say("As the window was left. Home: as it is loaded.");
+      if (nearest_.sentences.empty() && !(left.settings == home))
+        viewer_.say("As the window was left. Home: as it is loaded.");
     } catch (const Error& e) {
       keeper_.put_aside(e.what());
     }

@@ -41,9 +41,22 @@ std::string differing(const std::map<std::string, int>& a, const std::map<std::s
   return out;
 }
 
+// In use in all arenas: mallinfo() knows the first one only.
 double heap_mib() {
-  const struct mallinfo2 now = mallinfo2();
-  return static_cast<double>(now.uordblks + now.hblkhd) / (1 << 20);
+  char* text = nullptr;
+  size_t size = 0;
+  std::FILE* out = open_memstream(&text, &size);
+  malloc_info(0, out);
+  std::fclose(out);
+  const std::string xml(text, size);
+  std::free(text);
+  const auto last = [&](std::string_view element) {  // the sums stand last
+    const size_t at = xml.find("size=\"", xml.rfind(element)) + 6;
+    return std::stod(xml.substr(at));
+  };
+  return (last("<system type=\"current\"") - last("<total type=\"fast\"") - last("<total type=\"rest\"") +
+          last("<total type=\"mmap\"")) /
+         (1 << 20);
 }
 
 class LongRuns : public GlTest {

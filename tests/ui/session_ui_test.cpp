@@ -73,6 +73,25 @@ TEST(Window, a_talk_leaves_the_session_as_it_was) {
   EXPECT_EQ(desk.figure().settings, left);
 }
 
+TEST(Window, goes_on_as_near_as_another_driver_comes) {
+  const TemporaryFolder state("window-nearest");
+  Settings left;
+  {
+    WindowDesk desk({"--preset", "exact"}, state.path());
+    SKIP_WITHOUT_WINDOW(desk);
+    left = desk.figure().settings;
+    EXPECT_EQ(desk.close(), 0);
+  }
+  WindowDesk desk({"--without", "clip-control"}, state.path());
+  SKIP_WITHOUT_WINDOW(desk);
+  const Figure near = desk.figure();
+  desk.keep("session-nearest", near);
+  Settings expected = left;
+  expected.depth.format = DepthFormat::d32f;
+  EXPECT_EQ(near.settings, expected);
+  EXPECT_FALSE(std::filesystem::exists(state / "gbufferlab" / "session.json.bad"));
+}
+
 TEST(Window, opens_afresh_over_a_damaged_session_and_keeps_it) {
   const TemporaryFolder state("window-damaged");
   const std::filesystem::path file = state / "gbufferlab" / "session.json";
