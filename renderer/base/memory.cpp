@@ -13,6 +13,7 @@ void return_freed_memory() {
   constexpr int kLargeBytes = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, kLargeBytes);  // mallopt(3): setting it ends its adjustment
   mallopt(M_TRIM_THRESHOLD, 4 * kLargeBytes);
+  mallopt(M_ARENA_MAX, 1);
 #endif
 }
 

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <memory>
+#include <string>
+#include <thread>
 #include <vector>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "tests/sanitized.h"
 
@@ -28,6 +33,28 @@ TEST(Memory, WhatIsFreedGoesBackToTheSystem) {
     EXPECT_GT(resident_bytes(), before + 200 * kMiB) << "the measure measures";
   }
   EXPECT_LT(resident_bytes(), before + 16 * kMiB);
+}
+
+TEST(Memory, ThreadsShareOneHeap) {
+#ifdef __GLIBC__
+  if (test::kSanitized) GTEST_SKIP() << "a sanitizer has heaps of its own";
+  return_freed_memory();
+  std::vector<std::unique_ptr<std::string>> kept(64);
+  std::vector<std::thread> threads;
+  for (auto& text : kept) threads.emplace_back([&] { text = std::make_unique<std::string>(1000, 'x'); });
+  for (std::thread& t : threads) t.join();
+  char* xml = nullptr;
+  size_t size = 0;
+  std::FILE* out = open_memstream(&xml, &size);
+  malloc_info(0, out);
+  std::fclose(out);
+  const std::string said(xml, size);
+  std::free(xml);
+  EXPECT_NE(said.find("<heap nr=\"0\""), std::string::npos) << said;
+  EXPECT_EQ(said.find("<heap nr=\"1\""), std::string::npos) << said;
+#else
+  GTEST_SKIP() << "only glibc has one for each thread";
+#endif
 }
 
 // A few small blocks that stay keep what is free between them, until it is given back.
