@@ -3,7 +3,8 @@
 # Built in build/fuzz with clang's fuzzer, address and undefined-behaviour sanitizers. The first corpus is made by our own
 # code; what the fuzzer finds new is kept in build/fuzz/corpus for the next run, and what broke a promise in build/fuzz/found: copy that to
 # tests/fuzz/findings/READER when it is fixed. Two readers at a time; each line ends with the processor time it had, and
-# build/fuzz/hours.log keeps all lines of all runs. Exit 0: nothing was found; 1: something was; 77: no clang here.
+# build/fuzz/hours.log keeps all lines of all runs. A file may take five seconds by the clock: on a machine that is busy otherwise
+# one can seem to hang that does not; give it to build/fuzz/fuzz again. Exit 0: nothing was found; 1: something was; 77: no clang here.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
